@@ -1,0 +1,197 @@
+#include "node/conversions.h"
+
+#include "sheet/refuse.h"
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace shell_origami {
+namespace {
+
+geometry_msgs::Point32 point32(double x, double y, double z) {
+  geometry_msgs::Point32 point;
+  point.x = static_cast<float>(x);
+  point.y = static_cast<float>(y);
+  point.z = static_cast<float>(z);
+  return point;
+}
+
+geometry_msgs::Point point(const Vector2& p) {
+  geometry_msgs::Point point;
+  point.x = p.x();
+  point.y = p.y();
+  return point;
+}
+
+/// \throws std::invalid_argument unless exactly one of the alternatives is given.
+void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives) {
+  std::string all, given;
+  int count = 0;
+  for (const auto& [name, is_given] : alternatives) {
+    all += (all.empty() ? "" : ", ") + name;
+    if (is_given) given += (count++ ? " and " : "") + name;
+  }
+  if (count == 1) return;
+  refuse("give exactly one of ", all, ": the request gives ", count ? given : "none of them");
+}
+
+/// Refuses z as well, which is not used: a NaN there tells of an error elsewhere.
+template <class Point>
+void requireFinite(const std::string& name, const Point& p) {
+  if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return;
+  refuse(name, " is (", p.x, ", ", p.y, ", ", p.z, "), but must be finite");
+}
+
+template <class Point>
+std::vector<Vector2> flatPoints(const std::string& name, const std::vector<Point>& points) {
+  std::vector<Vector2> result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    requireFinite(name + "[" + std::to_string(i) + "]", points[i]);
+    result.emplace_back(points[i].x, points[i].y);
+  }
+  return result;
+}
+
+void requireTwo(const std::string& name, std::size_t count) {
+  if (count != 2) refuse(name, " must hold two entries, but holds ", count);
+}
+
+/// A field of a request that is zero when it is left open.
+std::optional<double> unlessZero(double value) {
+  return value == 0 ? std::nullopt : std::optional<double>(value);
+}
+
+}  // namespace
+
+msg::Sheet sheetMessage(const Paper& paper, const std_msgs::Header& header) {
+  const Sheet& sheet = paper.simulation().sheet();
+  msg::Sheet message;
+  message.header = header;
+  message.revision = paper.revision();
+  for (const Vector2& p : sheet.flatPositions()) {
+    message.flat_positions.push_back(point32(p.x(), p.y(), 0));
+  }
+  message.triangles.resize(sheet.triangles().size());
+  for (std::size_t i = 0; i < sheet.triangles().size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      message.triangles[i].vertex_indices[k] = static_cast<std::uint32_t>(sheet.triangles()[i][k]);
+    }
+  }
+  for (const Crease& crease : sheet.creases()) {
+    msg::Crease entry;
+    entry.id = crease.id;
+    entry.name = crease.name;
+    entry.vertices = vertexIds(crease.vertices);
+    message.creases.push_back(entry);
+  }
+  return message;
+}
+
+msg::SheetState stateMessage(const Paper& paper, const std_msgs::Header& header) {
+  const Simulation& simulation = paper.simulation();
+  msg::SheetState message;
+  message.header = header;
+  message.revision = paper.revision();
+  const Positions& x = simulation.positions();
+  message.positions.reserve(static_cast<std::size_t>(x.cols()));
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    message.positions.push_back(point32(x(0, i), x(1, i), x(2, i)));
+  }
+  for (const CreaseStatus& crease : simulation.creases()) {
+    msg::CreaseState entry;
+    entry.id = crease.id;
+    entry.angle = static_cast<float>(crease.angle);
+    entry.rest_angle = static_cast<float>(crease.rest_angle);
+    entry.target_angle = static_cast<float>(crease.target_angle);
+    entry.moment = static_cast<float>(crease.moment);
+    message.creases.push_back(entry);
+  }
+  message.pinned.assign(simulation.pinned().begin(), simulation.pinned().end());
+  message.settled = simulation.settled();
+  return message;
+}
+
+msg::Energy energyMessage(const Paper& paper, const StepReport& step, double real_time_factor,
+                          const std_msgs::Header& header) {
+  const Energies energies = paper.simulation().energies();
+  msg::Energy message;
+  message.header = header;
+  message.membrane = energies.membrane;
+  message.bending = energies.bending;
+  message.kinetic = energies.kinetic;
+  message.gravity = energies.gravity;
+  message.newton_iterations = static_cast<std::uint32_t>(step.newton_iterations);
+  message.residual = step.residual;
+  message.max_strain = paper.simulation().maxStrain();
+  message.real_time_factor = real_time_factor;
+  return message;
+}
+
+FoldRequest foldRequest(const msg::Fold::Request& request) {
+  requireOne({{"crease", !request.crease.empty()},
+              {"vertices", !request.vertices.empty()},
+              {"line", !request.line.empty()}});
+  FoldRequest fold;
+  if (!request.crease.empty()) {
+    fold.where = CreaseName{request.crease};
+  } else if (!request.vertices.empty()) {
+    requireTwo("vertices", request.vertices.size());
+    fold.where = VertexPair{{request.vertices[0], request.vertices[1]}};
+  } else {
+    requireTwo("line", request.line.size());
+    const std::vector<Vector2> ends = flatPoints("line", request.line);
+    fold.where = Line{ends[0], ends[1]};
+  }
+  fold.angle = request.angle;
+  fold.duration = unlessZero(request.duration);
+  fold.stiffness = unlessZero(request.stiffness);
+  return fold;
+}
+
+PinWhere pinWhere(const msg::Pin::Request& request) {
+  const geometry_msgs::Point& center = request.center.point;
+  const bool has_center = request.radius != 0 || !request.center.header.frame_id.empty() ||
+                          center.x != 0 || center.y != 0 || center.z != 0;
+  requireOne({{"vertices", !request.vertices.empty()},
+              {"points", !request.points.empty()},
+              {"region", !request.region.points.empty()},
+              {"center with radius", has_center}});
+  if (!request.vertices.empty()) return vertexIds(request.vertices);
+  if (!request.points.empty()) return flatPoints("points", request.points);
+  if (!request.region.points.empty()) return Region{flatPoints("region", request.region.points)};
+  requireFinite("center", center);
+  return Ball{{center.x, center.y, center.z}, request.radius};
+}
+
+msg::Edit editMessage(const EditRecord& edit) {
+  static const std::map<EditRecord::Kind, std::string> kKinds = {
+      {EditRecord::kFold, msg::Edit::FOLD},
+      {EditRecord::kPin, msg::Edit::PIN},
+      {EditRecord::kUnpin, msg::Edit::UNPIN},
+      {EditRecord::kAddVertex, msg::Edit::ADD_VERTEX}};
+  msg::Edit message;
+  message.step = edit.step;
+  message.revision = edit.revision;
+  message.kind = kKinds.at(edit.kind);
+  message.crease = edit.crease;
+  for (const Vector2& p : edit.line) message.line.push_back(point(p));
+  message.vertices = vertexIds(edit.vertices);
+  message.angle = edit.angle;
+  message.duration = edit.duration;
+  message.stiffness = edit.stiffness;
+  message.fraction = edit.fraction;
+  return message;
+}
+
+std::vector<std::uint32_t> vertexIds(const std::vector<int>& vertices) {
+  return {vertices.begin(), vertices.end()};
+}
+
+std::vector<std::int64_t> vertexIds(const std::vector<std::uint32_t>& vertices) {
+  return {vertices.begin(), vertices.end()};
+}
+
+}  // namespace shell_origami

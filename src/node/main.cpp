@@ -1,0 +1,14 @@
+#include "node/services.h"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "origami");
+  ros::NodeHandle node("~");
+  try {
+    shell_origami::OrigamiNode origami(node, shell_origami::loadParameters(node));
+    shell_origami::Services services(node, origami);
+    origami.spin();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,217 @@
+#include "node/markers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace shell_origami {
+namespace {
+
+using visualization_msgs::Marker;
+using Points = Eigen::Matrix3Xd;
+
+std_msgs::ColorRGBA color(double r, double g, double b) {
+  std_msgs::ColorRGBA result;
+  result.r = static_cast<float>(r);
+  result.g = static_cast<float>(g);
+  result.b = static_cast<float>(b);
+  result.a = 1;
+  return result;
+}
+
+const std_msgs::ColorRGBA kFront = color(0.90, 0.32, 0.18);
+const std_msgs::ColorRGBA kBack = color(0.97, 0.94, 0.86);
+const std_msgs::ColorRGBA kBorder = color(0.22, 0.16, 0.14);
+const std_msgs::ColorRGBA kPin = color(0.10, 0.55, 0.25);
+const std_msgs::ColorRGBA kVertexId = color(0.10, 0.10, 0.10);
+
+/// Height of a vertex's number and how far it hovers above the front, over the paper's size.
+constexpr double kVertexIdHeight = 1.0 / 60;
+
+/// The colour of a face by how it looks at the light. rviz's own light would leave the sides that
+/// look away from it all but black.
+std_msgs::ColorRGBA shaded(const std_msgs::ColorRGBA& paper, const Eigen::Vector3d& normal) {
+  static const Eigen::Vector3d kLight = Eigen::Vector3d(0.35, -0.25, 0.9).normalized();
+  const double s = 0.78 + 0.22 * normal.dot(kLight);
+  return color(s * paper.r, s * paper.g, s * paper.b);
+}
+
+/// Faint when flat, full at pi. Mountains are red, valleys blue, as in a crease pattern.
+std_msgs::ColorRGBA creaseColor(double angle) {
+  const std_msgs::ColorRGBA full = angle < 0 ? color(0.55, 0.0, 0.10) : color(0.05, 0.15, 0.85);
+  const std_msgs::ColorRGBA flat = color(0.62, 0.58, 0.56);
+  const double s = std::min(1.0, 0.5 + 0.5 * std::abs(angle) / M_PI);
+  return color(flat.r + s * (full.r - flat.r), flat.g + s * (full.g - flat.g),
+               flat.b + s * (full.b - flat.b));
+}
+
+geometry_msgs::Point point(const Points& points, std::uint32_t i) {
+  geometry_msgs::Point result;
+  result.x = points(0, i);
+  result.y = points(1, i);
+  result.z = points(2, i);
+  return result;
+}
+
+/// An empty marker deletes the one it would replace, since rviz warns of lists without points.
+Marker finished(Marker marker) {
+  if (marker.points.empty()) marker.action = Marker::DELETE;
+  return marker;
+}
+
+Marker newMarker(const std::string& name, int type, const std_msgs::Header& header) {
+  Marker marker;
+  marker.header = header;
+  marker.ns = name;
+  marker.type = type;
+  marker.action = Marker::ADD;
+  marker.pose.orientation.w = 1;
+  marker.scale.x = marker.scale.y = marker.scale.z = 1;
+  return marker;
+}
+
+}  // namespace
+
+void MarkerPainter::setSheet(const msg::Sheet& sheet) {
+  sheet_ = sheet;
+  std::map<std::array<std::uint32_t, 2>, int> sides;
+  for (const auto& triangle : sheet.triangles) {
+    const auto& v = triangle.vertex_indices;
+    for (int k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(v[k], v[(k + 1) % 3]);
+      ++sides[{a, b}];
+    }
+  }
+  border_.clear();
+  for (const auto& [edge, count] : sides) {
+    if (count == 1) border_.push_back(edge);
+  }
+  Eigen::Array2d low = Eigen::Array2d::Constant(HUGE_VAL), high = -low;
+  for (const auto& p : sheet.flat_positions) {
+    low = low.min(Eigen::Array2d(p.x, p.y));
+    high = high.max(Eigen::Array2d(p.x, p.y));
+  }
+  size_ = (high - low).maxCoeff();
+}
+
+bool MarkerPainter::fits(const msg::SheetState& state) const {
+  return state.revision == sheet_.revision && !sheet_.triangles.empty() &&
+         state.positions.size() == sheet_.flat_positions.size() &&
+         state.creases.size() == sheet_.creases.size();
+}
+
+visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state) {
+  sheet_.header = state.header;
+  Points middle(3, state.positions.size());
+  for (std::size_t i = 0; i < state.positions.size(); ++i) {
+    const auto& p = state.positions[i];
+    middle.col(static_cast<Eigen::Index>(i)) << p.x, p.y, p.z;
+  }
+  const Points normal = normals(middle);
+  const double gap = size_ / 4000;  // rviz tells the sides apart, and folded layers do not mix
+  // Lines lie on top of both sides: between them they would not be seen.
+  const double lift = size_ / 1000;
+  const std::vector<Points> tops = {middle + lift * normal, middle - lift * normal};
+
+  visualization_msgs::MarkerArray array;
+  array.markers.push_back(side("front", middle + gap * normal, false));
+  array.markers.push_back(side("back", middle - gap * normal, true));
+  array.markers.push_back(creases(tops, state));
+  array.markers.push_back(border(tops));
+  array.markers.push_back(pins(middle, state));
+  addVertexIds(middle + kVertexIdHeight * size_ * normal, array);
+  return array;
+}
+
+/// Sums of the triangles' area vectors, normalised; zero where they cancel.
+Points MarkerPainter::normals(const Points& points) const {
+  Points result = Points::Zero(3, points.cols());
+  for (const auto& triangle : sheet_.triangles) {
+    const auto& v = triangle.vertex_indices;
+    const Eigen::Vector3d ab = points.col(v[1]) - points.col(v[0]);
+    const Eigen::Vector3d ac = points.col(v[2]) - points.col(v[0]);
+    for (const std::uint32_t i : v) result.col(i) += ab.cross(ac);
+  }
+  for (Eigen::Index i = 0; i < result.cols(); ++i) result.col(i).stableNormalize();
+  return result;
+}
+
+MarkerPainter::Marker MarkerPainter::side(const std::string& name, const Points& points,
+                                          bool reversed) const {
+  Marker marker = newMarker(name, Marker::TRIANGLE_LIST, sheet_.header);
+  marker.color.a = 1;
+  const std_msgs::ColorRGBA& paper = reversed ? kBack : kFront;
+  marker.points.reserve(3 * sheet_.triangles.size());
+  for (const auto& triangle : sheet_.triangles) {
+    const auto& v = triangle.vertex_indices;
+    const Eigen::Vector3d ab = points.col(v[1]) - points.col(v[0]);
+    const Eigen::Vector3d ac = points.col(v[2]) - points.col(v[0]);
+    const Eigen::Vector3d normal = (reversed ? ac.cross(ab) : ab.cross(ac)).stableNormalized();
+    const double area = ab.cross(ac).norm();
+    if (!(area > 1e-12 * size_ * size_)) continue;  // rviz cannot draw it (rviz #925)
+    marker.colors.push_back(shaded(paper, normal));
+    for (const int k : {0, reversed ? 2 : 1, reversed ? 1 : 2}) {
+      marker.points.push_back(point(points, v[k]));
+    }
+  }
+  return finished(marker);
+}
+
+MarkerPainter::Marker MarkerPainter::creases(const std::vector<Points>& sides,
+                                             const msg::SheetState& state) const {
+  Marker marker = newMarker("creases", Marker::LINE_LIST, sheet_.header);
+  marker.scale.x = size_ / 150;
+  for (std::size_t c = 0; c < sheet_.creases.size(); ++c) {
+    const std::vector<std::uint32_t>& line = sheet_.creases[c].vertices;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      for (const Points& points : sides) {
+        marker.points.push_back(point(points, line[i]));
+        marker.points.push_back(point(points, line[i + 1]));
+      }
+    }
+    marker.colors.resize(marker.points.size(), creaseColor(state.creases[c].angle));
+  }
+  return finished(marker);
+}
+
+MarkerPainter::Marker MarkerPainter::border(const std::vector<Points>& sides) const {
+  Marker marker = newMarker("border", Marker::LINE_LIST, sheet_.header);
+  marker.scale.x = size_ / 300;
+  marker.color = kBorder;
+  for (const auto& [a, b] : border_) {
+    for (const Points& points : sides) {
+      marker.points.push_back(point(points, a));
+      marker.points.push_back(point(points, b));
+    }
+  }
+  return finished(marker);
+}
+
+MarkerPainter::Marker MarkerPainter::pins(const Points& points,
+                                          const msg::SheetState& state) const {
+  Marker marker = newMarker("pins", Marker::SPHERE_LIST, sheet_.header);
+  marker.scale.x = marker.scale.y = marker.scale.z = size_ / 50;
+  marker.color = kPin;
+  for (const std::uint32_t v : state.pinned) marker.points.push_back(point(points, v));
+  return finished(marker);
+}
+
+void MarkerPainter::addVertexIds(const Points& points, visualization_msgs::MarkerArray& array) {
+  const std::size_t wanted = vertex_ids_ ? static_cast<std::size_t>(points.cols()) : 0;
+  for (std::size_t i = 0; i < std::max(wanted, numbered_); ++i) {
+    Marker marker = newMarker("vertex_ids", Marker::TEXT_VIEW_FACING, sheet_.header);
+    marker.id = static_cast<int>(i);
+    if (i < wanted) {
+      marker.pose.position = point(points, static_cast<std::uint32_t>(i));
+      marker.scale.z = kVertexIdHeight * size_;
+      marker.color = kVertexId;
+      marker.text = std::to_string(i);
+    } else {
+      marker.action = Marker::DELETE;
+    }
+    array.markers.push_back(marker);
+  }
+  numbered_ = wanted;
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,37 @@
+/// \file
+/// Draws a recorded run: from the messages Sheet and SheetState, exactly as the live node does.
+
+#include "node/markers.h"
+
+namespace {
+
+class MarkersNode {
+ public:
+  explicit MarkersNode(ros::NodeHandle& node)
+      : painter_(node.param("vertex_ids", false)),
+        markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 5)),
+        sheet_(node.subscribe("sheet", 10, &MarkersNode::onSheet, this)),
+        state_(node.subscribe("state", 10, &MarkersNode::onState, this)) {}
+
+ private:
+  void onSheet(const shell_origami::msg::Sheet::ConstPtr& sheet) { painter_.setSheet(*sheet); }
+
+  void onState(const shell_origami::msg::SheetState::ConstPtr& state) {
+    if (markers_.getNumSubscribers() == 0 || !painter_.fits(*state)) return;
+    markers_.publish(painter_.draw(*state));
+  }
+
+  shell_origami::MarkerPainter painter_;
+  ros::Publisher markers_;
+  ros::Subscriber sheet_;
+  ros::Subscriber state_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "origami");
+  ros::NodeHandle node("~");
+  MarkersNode markers(node);
+  ros::spin();
+}

@@ -1,0 +1,221 @@
+#include "node/origami_node.h"
+
+#include "node/conversions.h"
+
+#include <ros/callback_queue.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace shell_origami {
+namespace {
+
+/// How often a paused paper is published, for whoever came late and to keep its frames alive [s].
+constexpr double kIdlePeriod = 0.5;
+/// How often to look whether someone records by now [s].
+constexpr double kWaitPeriod = 0.02;
+/// How long a recorder takes from subscribing to listening [s].
+constexpr double kRecorderStart = 0.3;
+
+std::optional<RecipeRun> startRecipe(const NodeConfig& config) {
+  if (config.recipe.empty()) return std::nullopt;
+  return RecipeRun(loadRecipe(findRecipe(config.recipe), config.simulation, config.sheet),
+                   config.output);
+}
+
+Simulation firstPaper(const NodeConfig& config, const std::optional<RecipeRun>& recipe) {
+  if (recipe) return makeSimulation(recipe->recipe().sheet, recipe->recipe().config);
+  return makeSimulation(config.sheet, config.simulation);
+}
+
+Simulation paperFromFile(const NodeConfig& config, const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension();
+  if (extension == ".yaml" || extension == ".yml") {
+    const Recipe recipe = loadRecipe(path, config.simulation, config.sheet);
+    return makeSimulation(recipe.sheet, recipe.config);
+  }
+  SheetSource source = config.sheet;
+  source.pattern = path;
+  return makeSimulation(source, config.simulation);
+}
+
+}  // namespace
+
+OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
+    : config_(config),
+      recipe_(startRecipe(config)),
+      paper_(firstPaper(config, recipe_)),
+      clock_(makeStepClock(node, config)),
+      publishers_(node, config),
+      paused_(config.paused || config.wait_for_recorder),
+      waiting_(config.wait_for_recorder && !config.paused) {
+  if (recipe_) edited(msg::Edit::LOAD, config.recipe);
+  const Sheet& sheet = paper_.simulation().sheet();
+  ROS_INFO("a sheet of %d vertices and %zu triangles is ready%s", sheet.vertexCount(),
+           sheet.triangles().size(), paused_ ? ", paused" : "");
+}
+
+void OrigamiNode::spin() {
+  while (ros::ok()) {
+    const double wait = std::clamp(untilNextStep(), 0.0, kIdlePeriod);
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(publishDue() ? 0 : wait));
+    publishEdits();
+    if (waiting_ && publishers_.recorded()) startRecorded();
+    if (!paused_ && untilNextStep() <= 0) advance();
+    if (publishDue()) publish();
+  }
+}
+
+double OrigamiNode::untilNextStep() {
+  if (paused_) return waiting_ ? kWaitPeriod : kIdlePeriod;
+  return clock_->wait(paper_.time(), paper_.simulation().config().solver.time_step);
+}
+
+/// The recording begins with the paper as it lies there. rosbag listens a moment after it has
+/// subscribed.
+void OrigamiNode::startRecorded() {
+  changed_ = true;
+  if (publishDue()) publish();
+  ros::WallDuration(kRecorderStart).sleep();
+  resume();
+}
+
+void OrigamiNode::pause() {
+  paused_ = true;
+  waiting_ = false;
+  changed_ = true;
+}
+
+void OrigamiNode::resume() {
+  clock_->hold(paper_.time());
+  paused_ = false;
+  waiting_ = false;
+}
+
+std::uint32_t OrigamiNode::takeSteps(std::uint32_t count) {
+  std::uint32_t taken = 0;
+  while (taken < count && ros::ok() && advance()) {
+    ++taken;
+    if (movingDue()) publish();
+  }
+  changed_ = true;
+  return taken;
+}
+
+/// One step, and the part of the recipe that is due before it. Returns whether it held; the node
+/// pauses where it did not.
+bool OrigamiNode::advance() {
+  if (!continueRecipe()) return false;
+  step_ = paper_.simulation().step();
+  if (!step_.converged) {
+    stop(step_.failure);
+    return false;
+  }
+  clock_->announce(paper_.time());
+  return true;
+}
+
+bool OrigamiNode::continueRecipe() {
+  if (!recipe_) return true;
+  bool held = true;
+  try {
+    if (!recipe_->update(paper_.simulation())) finishRecipe();
+  } catch (const std::exception& error) {
+    stop("the recipe is abandoned: " + std::string(error.what()));
+    recipe_.reset();
+    held = false;
+  }
+  publishEdits();
+  return held;
+}
+
+void OrigamiNode::finishRecipe() {
+  recipe_.reset();
+  // Nobody wants a finished paper to lie there as fast as the machine can.
+  if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) pause();
+}
+
+void OrigamiNode::stop(const std::string& reason) {
+  step_.converged = false;
+  step_.failure = reason;
+  ROS_ERROR("paused at %.3f s: %s", paper_.time(), reason.c_str());
+  pause();
+}
+
+void OrigamiNode::load(const std::string& path) {
+  Simulation loaded = paperFromFile(config_, path);
+  publishEdits();
+  paper_.replace(std::move(loaded));
+  clock_->hold(paper_.time());  // it may have taken long
+  recipe_.reset();
+  edited(msg::Edit::LOAD, path);
+}
+
+void OrigamiNode::reset() {
+  publishEdits();
+  paper_.reset();
+  recipe_.reset();
+  edited(msg::Edit::RESET);
+}
+
+/// Tells everyone of an edit that the paper itself knows nothing of.
+void OrigamiNode::edited(const std::string& kind, const std::string& path) {
+  msg::Edit edit;
+  edit.kind = kind;
+  edit.path = path;
+  edit.step = paper_.steps();
+  edit.revision = paper_.revision();
+  publishers_.publishEdit(edit, stamp());
+  changed_ = true;
+}
+
+/// Tells everyone of the edits that the paper took, be they of a request or of the recipe.
+void OrigamiNode::publishEdits() {
+  for (const EditRecord& edit : paper_.takeEdits()) {
+    publishers_.publishEdit(editMessage(edit), stamp());
+    changed_ = true;
+  }
+}
+
+ros::Time OrigamiNode::stamp() {
+  if (paused_) clock_->hold(paper_.time());
+  return clock_->stamp(paper_.time());
+}
+
+/// A paused paper is due after a change, and now and then for whoever came late.
+bool OrigamiNode::publishDue() {
+  if (!paused_) return movingDue();
+  if (stamp().isZero()) return false;
+  return changed_ || (ros::SteadyTime::now() - last_publish_).toSec() >= kIdlePeriod;
+}
+
+/// A moving paper is due by its stamps, at the publishing rate and after a change, and never twice
+/// with one stamp.
+bool OrigamiNode::movingDue() {
+  const ros::Time stamp = this->stamp();
+  if (stamp == last_stamp_ || stamp.isZero()) return false;
+  const double time_step = paper_.simulation().config().solver.time_step;
+  const double early = (next_publish_ - stamp).toSec();
+  return changed_ || early < 0.5 * time_step || early > 2 / config_.publish_rate;
+}
+
+void OrigamiNode::publish() {
+  const ros::SteadyTime wall = ros::SteadyTime::now();
+  const ros::Time stamp = this->stamp();
+  real_time_factor_.sample(wall.toSec(), paper_.time());
+  if (paused_) clock_->announce(paper_.time());
+  publishers_.publish(paper_, step_, real_time_factor_.value(), stamp);
+
+  const ros::Duration period(1 / config_.publish_rate);
+  next_publish_ += period;
+  if (std::abs((next_publish_ - stamp - period).toSec()) > period.toSec()) {
+    next_publish_ = stamp + period;
+  }
+  last_publish_ = wall;
+  last_stamp_ = stamp;
+  changed_ = false;
+}
+
+}  // namespace shell_origami

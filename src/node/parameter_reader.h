@@ -1,0 +1,37 @@
+/// \file
+/// Reads the parameters of a namespace and remembers which of them nobody asked for.
+#pragma once
+
+#include "sheet/geometry.h"
+
+#include <ros/node_handle.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <map>
+#include <string>
+
+namespace shell_origami {
+
+/// Each read() leaves `value` alone when the parameter is not set.
+/// \throws std::invalid_argument with one sentence that names the parameter and its value, when
+///         the type is wrong or a number is not finite.
+class ParameterReader {
+ public:
+  explicit ParameterReader(const ros::NodeHandle& node);
+
+  void read(const std::string& name, bool& value);
+  void read(const std::string& name, int& value);
+  void read(const std::string& name, double& value);
+  void read(const std::string& name, std::string& value);
+  void read(const std::string& name, Vector3& value);
+
+  /// \throws std::invalid_argument when a parameter is set that nobody has read.
+  void refuseUnread() const;
+
+ private:
+  bool take(const std::string& name, XmlRpc::XmlRpcValue& value);
+
+  std::map<std::string, XmlRpc::XmlRpcValue> unread_;
+};
+
+}  // namespace shell_origami

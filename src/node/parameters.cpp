@@ -1,0 +1,122 @@
+#include "node/parameters.h"
+
+#include "node/parameter_reader.h"
+#include "sheet/refuse.h"
+
+#include <ros/package.h>
+
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+namespace shell_origami {
+namespace {
+
+/// What a parameter that is a word may say.
+template <class Value>
+Value choice(const std::string& name, const std::string& word,
+             const std::map<std::string, Value>& choices) {
+  const auto found = choices.find(word);
+  if (found != choices.end()) return found->second;
+  std::string known;
+  for (const auto& entry : choices) known += (known.empty() ? "" : " or ") + entry.first;
+  refuse("parameter ~", name, " is \"", word, "\", but must be ", known);
+}
+
+template <class Value>
+void require(bool holds, const std::string& name, const Value& value, const std::string& wanted) {
+  if (!holds) refuse("parameter ~", name, " is ", value, ", but must be ", wanted);
+}
+
+void readMaterial(ParameterReader& reader, Material& material) {
+  reader.read("material/youngs_modulus", material.youngs_modulus);
+  reader.read("material/poisson_ratio", material.poisson_ratio);
+  reader.read("material/thickness", material.thickness);
+  reader.read("material/density", material.density);
+  reader.read("material/crease_stiffness", material.crease_stiffness);
+  reader.read("material/air_damping", material.air_damping);
+}
+
+void readSolver(ParameterReader& reader, SolverConfig& solver) {
+  std::string integrator = "newmark";
+  reader.read("solver/integrator", integrator);
+  choice<int>("solver/integrator", integrator, {{"newmark", 0}});
+  reader.read("solver/time_step", solver.time_step);
+  reader.read("solver/beta", solver.beta);
+  reader.read("solver/gamma", solver.gamma);
+  reader.read("solver/tolerance", solver.tolerance);
+  reader.read("solver/max_iterations", solver.max_iterations);
+}
+
+void readSheet(ParameterReader& reader, SheetSource& sheet) {
+  reader.read("sheet/width", sheet.width);
+  reader.read("sheet/height", sheet.height);
+  reader.read("sheet/max_edge", sheet.max_edge);
+}
+
+void readClock(ParameterReader& reader, NodeConfig& config) {
+  std::string clock = "follow";
+  reader.read("clock", clock);
+  config.clock = choice<ClockMode>(
+      "clock", clock, {{"follow", ClockMode::kFollow}, {"lead", ClockMode::kLead}});
+  reader.read("real_time_factor", config.real_time_factor);
+}
+
+void checkSimulation(const SimulationConfig& config) {
+  try {
+    checkConfig(config);
+  } catch (const std::invalid_argument& error) {
+    refuse("parameter ~", error.what());
+  }
+}
+
+void check(const NodeConfig& config) {
+  checkSimulation(config.simulation);
+  require(config.sheet.width > 0, "sheet/width", config.sheet.width, "positive");
+  require(config.sheet.height > 0, "sheet/height", config.sheet.height, "positive");
+  require(config.sheet.max_edge > 0, "sheet/max_edge", config.sheet.max_edge, "positive");
+  require(config.publish_rate >= 0.01 && config.publish_rate <= 1000, "publish_rate",
+          config.publish_rate, "from 0.01 to 1000");
+  require(!config.world_frame.empty() && config.world_frame[0] != '/', "world_frame",
+          '"' + config.world_frame + '"', "a frame's name without a leading slash");
+  require(config.real_time_factor >= 0, "real_time_factor", config.real_time_factor,
+          "zero or positive");
+  if (config.clock == ClockMode::kLead && !ros::Time::isSimTime()) {
+    refuse("parameter ~clock is \"lead\", but that publishes /clock and needs /use_sim_time to be "
+           "true");
+  }
+}
+
+}  // namespace
+
+NodeConfig loadParameters(const ros::NodeHandle& private_node) {
+  NodeConfig config;
+  ParameterReader reader(private_node);
+  readSheet(reader, config.sheet);
+  readMaterial(reader, config.simulation.material);
+  reader.read("gravity", config.simulation.gravity);
+  readSolver(reader, config.simulation.solver);
+  reader.read("fold_duration", config.simulation.fold_duration);
+  reader.read("recipe", config.recipe);
+  reader.read("output", config.output);
+  reader.read("paused", config.paused);
+  reader.read("wait_for_recorder", config.wait_for_recorder);
+  reader.read("publish_rate", config.publish_rate);
+  reader.read("world_frame", config.world_frame);
+  reader.read("vertex_ids", config.vertex_ids);
+  readClock(reader, config);
+  reader.refuseUnread();
+  check(config);
+  return config;
+}
+
+std::string findRecipe(const std::string& recipe) {
+  namespace fs = std::filesystem;
+  if (fs::is_regular_file(recipe)) return recipe;
+  const std::string own =
+      ros::package::getPath("shell_origami") + "/recipes/" + recipe + ".yaml";
+  if (recipe.find('/') == std::string::npos && fs::is_regular_file(own)) return own;
+  refuse("parameter ~recipe is \"", recipe, "\", but there is no such file, and no ", own);
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,53 @@
+/// \file
+/// Every topic the node publishes, but /clock.
+#pragma once
+
+#include "node/frames.h"
+#include "node/markers.h"
+#include "node/paper.h"
+#include "node/parameters.h"
+
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shell_origami {
+
+class Publishers {
+ public:
+  Publishers(ros::NodeHandle& node, const NodeConfig& config);
+
+  /// The paper as it is now, and its sheet when the revision is a new one.
+  void publish(const Paper& paper, const StepReport& step, double real_time_factor,
+               const ros::Time& stamp);
+
+  /// Publishes an accepted edit, and again for whoever subscribes later, so that a recording
+  /// holds them all whenever it starts.
+  void publishEdit(msg::Edit edit, const ros::Time& stamp);
+
+  /// Whether someone listens to all that a recording needs.
+  bool recorded() const;
+
+ private:
+  std_msgs::Header header(const ros::Time& stamp) const;
+  void publishSheet(const Paper& paper, const ros::Time& stamp);
+  void publishFrames(const Paper& paper, const ros::Time& stamp);
+
+  std::string world_frame_;
+  MarkerPainter painter_;
+  std::optional<std::uint32_t> revision_;  ///< of the sheet last published
+  std::vector<Panel> panels_;              ///< of that sheet
+  std::vector<msg::Edit> edits_;           ///< of this paper so far
+  ros::Time frames_stamp_;
+
+  ros::Publisher sheet_;
+  ros::Publisher state_;
+  ros::Publisher energy_;
+  ros::Publisher markers_;
+  ros::Publisher edit_;
+  tf2_ros::TransformBroadcaster broadcaster_;
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,178 @@
+#include "node/services.h"
+
+#include "node/conversions.h"
+#include "origami/report.h"
+#include "sheet/refuse.h"
+
+#include <tf2_eigen/tf2_eigen.h>
+
+#include <filesystem>
+#include <string>
+
+namespace shell_origami {
+namespace {
+
+/// The node answers no other request while it takes steps for one.
+constexpr std::uint32_t kMostSteps = 100000;
+
+/// Answers with the sentence that the action returns, or with why it refuses.
+template <class Response, class Action>
+bool answer(const char* service, Response& response, Action action) {
+  try {
+    response.message = action();
+    response.success = true;
+    ROS_INFO("%s: %s", service, response.message.c_str());
+  } catch (const std::exception& error) {
+    response = Response();
+    response.message = error.what();
+    ROS_WARN("%s refused: %s", service, error.what());
+  }
+  return true;
+}
+
+std::string count(std::size_t number, const std::string& one, const std::string& many) {
+  return std::to_string(number) + " " + (number == 1 ? one : many);
+}
+
+std::string vertexCount(std::size_t number) { return count(number, "vertex", "vertices"); }
+
+void requirePath(const std::string& path) {
+  if (path.empty()) refuse("path is empty");
+}
+
+}  // namespace
+
+Services::Services(ros::NodeHandle& node, OrigamiNode& origami)
+    : origami_(origami), tf_listener_(tf_, node, false) {
+  servers_ = {
+      node.advertiseService("fold", &Services::fold, this),
+      node.advertiseService("pin", &Services::pin, this),
+      node.advertiseService("unpin", &Services::unpin, this),
+      node.advertiseService("add_vertex", &Services::addVertex, this),
+      node.advertiseService("load", &Services::load, this),
+      node.advertiseService("save", &Services::save, this),
+      node.advertiseService("step", &Services::step, this),
+      node.advertiseService("pause", &Services::pause, this),
+      node.advertiseService("resume", &Services::resume, this),
+      node.advertiseService("reset", &Services::reset, this),
+  };
+}
+
+bool Services::fold(msg::Fold::Request& request, msg::Fold::Response& response) {
+  return answer("fold", response, [&] {
+    Simulation& simulation = origami_.paper().simulation();
+    const FoldResult result = simulation.fold(foldRequest(request));
+    response.crease_ids = result.crease_ids;
+    response.vertices = vertexIds(result.vertices);
+    response.revision = origami_.paper().revision();
+    return "folding " + count(result.crease_ids.size(), "crease", "creases") + " of " +
+           vertexCount(result.vertices.size()) + " to " + std::to_string(request.angle) + " rad";
+  });
+}
+
+bool Services::pin(msg::Pin::Request& request, msg::Pin::Response& response) {
+  return answer("pin", response, [&] {
+    if (!request.frame_id.empty()) {
+      refuse("frame_id is \"", request.frame_id,
+             "\", but pins that a TF frame carries are not supported yet");
+    }
+    PinWhere where = pinWhere(request);
+    if (auto* ball = std::get_if<Ball>(&where)) {
+      ball->center = toWorld(ball->center, request.center.header);
+    }
+    const std::vector<int> vertices = origami_.paper().simulation().pin(where);
+    response.vertices = vertexIds(vertices);
+    return "holding " + vertexCount(vertices.size());
+  });
+}
+
+bool Services::unpin(msg::Unpin::Request& request, msg::Unpin::Response& response) {
+  return answer("unpin", response, [&] {
+    const std::vector<int> vertices =
+        origami_.paper().simulation().unpin(vertexIds(request.vertices));
+    response.vertices = vertexIds(vertices);
+    return "let go of " + vertexCount(vertices.size());
+  });
+}
+
+bool Services::addVertex(msg::AddVertex::Request& request, msg::AddVertex::Response& response) {
+  return answer("add_vertex", response, [&] {
+    const int vertex = origami_.paper().simulation().addVertex(request.edge[0], request.edge[1],
+                                                               request.fraction);
+    response.vertex = static_cast<std::uint32_t>(vertex);
+    response.revision = origami_.paper().revision();
+    return "added vertex " + std::to_string(vertex);
+  });
+}
+
+bool Services::load(msg::Load::Request& request, msg::Load::Response& response) {
+  return answer("load", response, [&] {
+    requirePath(request.path);
+    origami_.load(request.path);
+    const Sheet& sheet = origami_.paper().simulation().sheet();
+    response.vertices = static_cast<std::uint32_t>(sheet.vertexCount());
+    response.triangles = static_cast<std::uint32_t>(sheet.triangles().size());
+    for (const Crease& crease : sheet.creases()) response.creases.push_back(crease.name);
+    response.revision = origami_.paper().revision();
+    return "loaded " + request.path + ": " + vertexCount(response.vertices) + ", " +
+           count(response.creases.size(), "crease", "creases");
+  });
+}
+
+bool Services::save(msg::Save::Request& request, msg::Save::Response& response) {
+  return answer("save", response, [&] {
+    requirePath(request.path);
+    savePaper(origami_.paper().simulation(), request.path);
+    return "wrote " + std::filesystem::absolute(request.path).string();
+  });
+}
+
+bool Services::step(msg::Step::Request& request, msg::Step::Response& response) {
+  return answer("step", response, [&] {
+    if (!origami_.paused()) refuse("step needs the node to be paused");
+    if (request.steps == 0 || request.steps > kMostSteps) {
+      refuse("steps is ", request.steps, ", but must be from 1 to ", kMostSteps);
+    }
+    const std::uint32_t taken = origami_.takeSteps(request.steps);
+    if (taken < request.steps) {
+      refuse("stopped after ", count(taken, "step", "steps"), ": ", origami_.lastStep().failure);
+    }
+    response.time = origami_.paper().time();
+    return "took " + count(taken, "step", "steps");
+  });
+}
+
+bool Services::pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer("pause", response, [&] {
+    origami_.pause();
+    return std::string("paused");
+  });
+}
+
+bool Services::resume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer("resume", response, [&] {
+    origami_.resume();
+    return std::string("running");
+  });
+}
+
+bool Services::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer("reset", response, [&] {
+    origami_.reset();
+    return std::string("the paper is as it was loaded");
+  });
+}
+
+/// \throws std::invalid_argument when TF does not know the way.
+Vector3 Services::toWorld(const Vector3& point, const std_msgs::Header& header) const {
+  const std::string& world = origami_.config().world_frame;
+  if (header.frame_id.empty() || header.frame_id == world) return point;
+  try {
+    return tf2::transformToEigen(tf_.lookupTransform(world, header.frame_id, header.stamp)) * point;
+  } catch (const tf2::TransformException& error) {
+    refuse("center is in frame \"", header.frame_id, "\", which TF cannot bring to \"", world,
+           "\": ", error.what());
+  }
+}
+
+}  // namespace shell_origami

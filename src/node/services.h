@@ -1,0 +1,39 @@
+/// \file
+/// The node's services. A refused request changes nothing and says why in one sentence.
+#pragma once
+
+#include "node/origami_node.h"
+
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <vector>
+
+namespace shell_origami {
+
+class Services {
+ public:
+  Services(ros::NodeHandle& node, OrigamiNode& origami);
+
+ private:
+  bool fold(msg::Fold::Request& request, msg::Fold::Response& response);
+  bool pin(msg::Pin::Request& request, msg::Pin::Response& response);
+  bool unpin(msg::Unpin::Request& request, msg::Unpin::Response& response);
+  bool addVertex(msg::AddVertex::Request& request, msg::AddVertex::Response& response);
+  bool load(msg::Load::Request& request, msg::Load::Response& response);
+  bool save(msg::Save::Request& request, msg::Save::Response& response);
+  bool step(msg::Step::Request& request, msg::Step::Response& response);
+  bool pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool resume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+
+  Vector3 toWorld(const Vector3& point, const std_msgs::Header& header) const;
+
+  OrigamiNode& origami_;
+  tf2_ros::Buffer tf_;
+  tf2_ros::TransformListener tf_listener_;
+  std::vector<ros::ServiceServer> servers_;
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,37 @@
+#include "origami/simulation.h"
+#include "sheet/refuse.h"
+
+#include <cmath>
+
+namespace shell_origami {
+namespace {
+
+void checkPositive(const char* name, double value) {
+  if (!(value > 0) || !std::isfinite(value)) refuse(name, " must be positive, not ", value);
+}
+
+void checkRange(const char* name, double value, double low, double high) {
+  if (!(value >= low && value <= high)) {
+    refuse(name, " must be from ", low, " to ", high, ", not ", value);
+  }
+}
+
+}  // namespace
+
+void checkConfig(const SimulationConfig& config) {
+  checkPositive("material/youngs_modulus", config.material.youngs_modulus);
+  checkRange("material/poisson_ratio", config.material.poisson_ratio, 0, 0.49);
+  checkPositive("material/thickness", config.material.thickness);
+  checkPositive("material/density", config.material.density);
+  checkPositive("material/crease_stiffness", config.material.crease_stiffness);
+  checkRange("material/air_damping", config.material.air_damping, 0, 1e6);
+  for (int i = 0; i < 3; ++i) checkRange("gravity", config.gravity[i], -1e4, 1e4);
+  checkRange("solver/time_step", config.solver.time_step, 1e-6, 1);
+  if (config.solver.beta != 0) checkRange("solver/beta", config.solver.beta, 1e-3, 1);
+  checkRange("solver/gamma", config.solver.gamma, 0.5, 1);
+  checkPositive("solver/tolerance", config.solver.tolerance);
+  checkRange("solver/max_iterations", config.solver.max_iterations, 1, 1000);
+  checkPositive("fold_duration", config.fold_duration);
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,103 @@
+#include "origami/recipe.h"
+
+#include "sheet/triangulate.h"
+
+#include <algorithm>
+
+namespace shell_origami {
+
+Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config) {
+  if (source.pattern.empty()) {
+    return Simulation(
+        Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), config);
+  }
+  FoldPaper paper = readFold(source.pattern, {source.scale, source.max_edge});
+  if (paper.positions) {
+    return Simulation(std::move(paper.sheet), config, *paper.positions, paper.rest_angles);
+  }
+  return Simulation(std::move(paper.sheet), config);
+}
+
+RecipeRunner::RecipeRunner(Recipe recipe) : recipe_(std::move(recipe)) {}
+
+namespace {
+
+/// What a step does at once, and when it is over.
+struct Start {
+  Simulation& simulation;
+
+  void operator()(const PinStep& step) const { simulation.pin(step.where); }
+  void operator()(const UnpinStep& step) const {
+    std::vector<std::int64_t> vertices;
+    for (const Vector2& p : step.points) vertices.push_back(simulation.sheet().nearestVertex(p));
+    simulation.unpin(vertices);
+  }
+  void operator()(const FoldStep& step) const {
+    for (FoldRequest fold : step.folds) {
+      if (!fold.duration) fold.duration = step.duration;
+      simulation.fold(fold);
+    }
+  }
+  void operator()(const SettleStep&) const {}
+};
+
+struct Over {
+  const Simulation& simulation;
+  double elapsed;
+
+  bool operator()(const PinStep&) const { return true; }
+  bool operator()(const UnpinStep&) const { return true; }
+  bool operator()(const FoldStep&) const { return !simulation.folding(); }
+  bool operator()(const SettleStep& step) const {
+    // The residual speeds of a fold just begun are not rest.
+    return elapsed >= step.timeout || (elapsed > 0 && simulation.settled());
+  }
+};
+
+struct Word {
+  const char* operator()(const PinStep&) const { return "pin"; }
+  const char* operator()(const UnpinStep&) const { return "unpin"; }
+  const char* operator()(const FoldStep&) const { return "fold"; }
+  const char* operator()(const SettleStep&) const { return "settle"; }
+};
+
+struct Length {
+  double operator()(const PinStep&) const { return 0; }
+  double operator()(const UnpinStep&) const { return 0; }
+  double operator()(const FoldStep& step) const { return step.duration; }
+  double operator()(const SettleStep& step) const { return step.timeout; }
+};
+
+}  // namespace
+
+bool RecipeRunner::update(Simulation& simulation) {
+  while (!finished()) {
+    const RecipeStep& step = recipe_.steps[index_];
+    if (!started_) {
+      std::visit(Start{simulation}, step);
+      started_ = true;
+      start_time_ = simulation.time();
+    }
+    if (!std::visit(Over{simulation, simulation.time() - start_time_}, step)) return true;
+    ++index_;
+    started_ = false;
+  }
+  return false;
+}
+
+double RecipeRunner::progress(const Simulation& simulation) const {
+  double total = 0, done = 0;
+  for (int i = 0; i < static_cast<int>(recipe_.steps.size()); ++i) {
+    const double length = std::visit(Length{}, recipe_.steps[i]);
+    total += length;
+    if (i < index_) done += length;
+    if (i == index_ && started_) done += std::min(length, simulation.time() - start_time_);
+  }
+  return finished() || total == 0 ? 1 : done / total;
+}
+
+std::string RecipeRunner::doing() const {
+  return finished() ? "done" : std::visit(Word{}, recipe_.steps[index_]);
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,78 @@
+/// \file
+/// A recipe: a sheet, its material, and what to do with it, step by step (YAML).
+#pragma once
+
+#include "origami/simulation.h"
+#include "sheet/fold_file.h"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace shell_origami {
+
+/// Where a sheet comes from: a rectangle from (0, 0), or a FOLD file.
+struct SheetSource {
+  double width = 0.15;     ///< [m]
+  double height = 0.15;    ///< [m]
+  double max_edge = 0.01;  ///< longest edge wanted [m]
+  std::string pattern;     ///< FOLD file; empty: the rectangle
+  double scale = 0;        ///< metres per unit of the pattern; 0: the unit the file states
+};
+
+/// Makes the paper. \throws std::invalid_argument with one sentence.
+Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config);
+
+struct PinStep { PinWhere where; };
+struct UnpinStep { std::vector<Vector2> points; };  ///< empty: all
+struct FoldStep { std::vector<FoldRequest> folds; double duration = 1; };
+struct SettleStep { double timeout = 5; };          ///< [s]
+using RecipeStep = std::variant<PinStep, UnpinStep, FoldStep, SettleStep>;
+
+/// From where the finished model looks best: rviz's orbit camera.
+struct View {
+  double yaw = 0.8, pitch = 0.7;  ///< [rad]
+  double distance = 0.4;          ///< [m]
+};
+
+struct Recipe {
+  std::string name;  ///< file name without folder and extension
+  SheetSource sheet;
+  SimulationConfig config;
+  View view;
+  std::vector<RecipeStep> steps;
+};
+
+/// `key=value` pairs with the key's parts joined by '/', such as material/thickness=2e-4.
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads a recipe. Unknown words are refused. Values the recipe does not state are those of
+/// `defaults`.
+/// \throws std::invalid_argument with one sentence naming file, line and offending value.
+Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults = {},
+                  const SheetSource& sheet = {}, const Overrides& overrides = {});
+
+/// Carries a recipe out on a simulation. Call update() before each step.
+class RecipeRunner {
+ public:
+  explicit RecipeRunner(Recipe recipe);
+
+  /// Does what is due now. Returns false once every step of the recipe is done.
+  /// \throws std::invalid_argument when the paper refuses an edit of the recipe.
+  bool update(Simulation& simulation);
+
+  const Recipe& recipe() const { return recipe_; }
+  int stepIndex() const { return index_; }  ///< of the step under way, 0-based
+  bool finished() const { return index_ >= static_cast<int>(recipe_.steps.size()); }
+  double progress(const Simulation& simulation) const;  ///< 0..1
+  std::string doing() const;                            ///< one word for the step under way
+
+ private:
+  Recipe recipe_;
+  int index_ = 0;
+  bool started_ = false;
+  double start_time_ = 0;
+};
+
+}  // namespace shell_origami

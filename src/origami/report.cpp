@@ -1,0 +1,148 @@
+#include "origami/report.h"
+
+#include "origami/mesh_file.h"
+#include "sheet/fold_file.h"
+#include "sheet/refuse.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+namespace shell_origami {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+/// JSON has no NaN and no infinity.
+json orNull(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json degrees(double radians) { return orNull(radians / M_PI * 180); }
+
+json reportCrease(const CreaseStatus& crease) {
+  return {{"name", crease.name},
+          {"id", crease.id},
+          // A crease that no fold has named has no target.
+          {"target_deg", crease.driven ? degrees(crease.target_angle) : json(nullptr)},
+          {"angle_deg_mean", degrees(crease.angle)},
+          {"angle_deg_min", degrees(crease.angle_min)},
+          {"angle_deg_max", degrees(crease.angle_max)}};
+}
+
+[[noreturn]] void failToWrite(const std::string& path, const std::string& reason) {
+  throw std::runtime_error("cannot write " + path + ": " + reason);
+}
+
+/// Writes and flushes the whole text. Returns 0 or errno.
+int writeWhole(const std::string& path, const std::string& text) {
+  errno = 0;
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (!file) return errno;
+  int error = 0;
+  if (std::fwrite(text.data(), 1, text.size(), file) != text.size()) error = errno;
+  if (error == 0 && std::fflush(file) != 0) error = errno;
+  // On the disk before the old file goes.
+  if (error == 0 && fsync(fileno(file)) != 0 && errno != EINVAL) error = errno;
+  if (std::fclose(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+std::string lowerExtension(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+}  // namespace
+
+json makeReport(const Simulation& simulation, const std::string& recipe, double wall_time) {
+  const Counters& counters = simulation.counters();
+  json creases = json::array();
+  for (const CreaseStatus& crease : simulation.creases()) creases.push_back(reportCrease(crease));
+  return {{"recipe", recipe},
+          {"triangles", simulation.sheet().triangles().size()},
+          {"vertices", simulation.sheet().vertexCount()},
+          {"sim_time", orNull(simulation.time())},
+          {"wall_time", orNull(wall_time)},
+          {"steps", counters.steps},
+          {"newton_iterations", counters.newton_iterations},
+          {"factorizations", counters.factorizations},
+          {"max_strain", orNull(simulation.maxStrain())},
+          {"kinetic_energy", orNull(simulation.energies().kinetic)},
+          {"settled", simulation.settled()},
+          {"min_gap", -1},  // contact is not computed
+          {"intersections", -1},
+          {"creases", std::move(creases)}};
+}
+
+json foldDocument(const Simulation& simulation, const std::string& title) {
+  std::vector<FoldCrease> creases;
+  for (const CreaseStatus& crease : simulation.creases()) {
+    const double free = std::numeric_limits<double>::quiet_NaN();
+    creases.push_back({crease.angle, crease.driven ? crease.rest_angle : free});
+  }
+  return writeFold(simulation.sheet(), creases, simulation.positions(), title);
+}
+
+void savePaper(const Simulation& simulation, const std::string& path) {
+  const std::string extension = lowerExtension(path);
+  const Positions& positions = simulation.positions();
+  const std::vector<Triangle>& triangles = simulation.sheet().triangles();
+  if (extension == ".fold") {
+    writeFile(path, foldText(foldDocument(simulation, fs::path(path).stem().string())));
+  } else if (extension == ".obj") {
+    writeFile(path, objText(positions, triangles));
+  } else if (extension == ".stl") {
+    writeFile(path, stlText(positions, triangles));
+  } else if (extension == ".ply") {
+    writeFile(path, plyText(positions, triangles));
+  } else {
+    refuse("cannot save ", path, ": its extension must be .fold, .obj, .stl or .ply");
+  }
+}
+
+void writeFile(const std::string& path, const std::string& text) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) failToWrite(path, "it is no plain file");
+  // Through a link, its target is replaced and the link stays.
+  const fs::path target =
+      fs::is_symlink(fs::symlink_status(path, ignored)) && fs::exists(status)
+          ? fs::canonical(path, ignored) : fs::path(path);
+  const std::string part = target.string() + "." + std::to_string(getpid()) + ".part";
+  const int error = writeWhole(part, text);
+  if (error != 0) {
+    std::remove(part.c_str());
+    failToWrite(path, std::strerror(error));
+  }
+  if (std::rename(part.c_str(), target.c_str()) != 0) {
+    const std::string reason = std::strerror(errno);
+    std::remove(part.c_str());
+    failToWrite(path, reason);
+  }
+}
+
+void writeResults(const Simulation& simulation, const std::string& recipe, double wall_time,
+                  const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) failToWrite(folder, error.message());
+  const fs::path base(folder);
+  savePaper(simulation, (base / "final.fold").string());
+  savePaper(simulation, (base / "final.obj").string());
+  // The report last: where it stands, everything else does.
+  const json report = makeReport(simulation, recipe, wall_time);
+  writeFile((base / "report.json").string(),
+            report.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace shell_origami

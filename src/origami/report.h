@@ -1,0 +1,33 @@
+/// \file
+/// What a run leaves behind: report.json, final.fold, final.obj.
+#pragma once
+
+#include "origami/simulation.h"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace shell_origami {
+
+/// The figures of a run, as interface names them.
+nlohmann::json makeReport(const Simulation& simulation, const std::string& recipe,
+                          double wall_time);
+
+/// The paper as it is now as a FOLD document.
+nlohmann::json foldDocument(const Simulation& simulation, const std::string& title);
+
+/// Writes the paper as it is now to .fold, .obj, .stl or .ply, by the path's extension. The file
+/// is written beside and renamed, so that an error leaves an older one as it was.
+/// \throws std::invalid_argument for another extension, std::runtime_error when it cannot be
+/// written.
+void savePaper(const Simulation& simulation, const std::string& path);
+
+/// Writes text the same careful way. \throws std::runtime_error naming path and reason
+void writeFile(const std::string& path, const std::string& text);
+
+/// final.fold, final.obj and report.json into the folder, which is made when it is missing.
+void writeResults(const Simulation& simulation, const std::string& recipe, double wall_time,
+                  const std::string& folder);
+
+}  // namespace shell_origami

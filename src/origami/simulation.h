@@ -1,0 +1,170 @@
+/// \file
+/// The one door to the core: a sheet of paper that is edited, stepped and looked at.
+#pragma once
+
+#include "dynamics/newmark.h"
+#include "origami/fold_ramp.h"
+#include "sheet/fold_line.h"
+#include "sheet/sheet.h"
+#include "shell/shell.h"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace shell_origami {
+
+/// Everything about a simulation but the sheet.
+struct SimulationConfig {
+  Material material;
+  Vector3 gravity = Vector3::Zero();  ///< [m/s^2]; zero: the paper floats
+  SolverConfig solver;
+  double fold_duration = 1.0;  ///< of a fold that states none [s]
+};
+
+/// \throws std::invalid_argument with a sentence that names the offending parameter and value.
+void checkConfig(const SimulationConfig& config);
+
+/// A named crease, or a group of creases of the loaded pattern: `mountains`, `valleys`, or `all`,
+/// of which each is folded to the side that the pattern asks for.
+struct CreaseName {
+  std::string name;
+};
+/// Two vertices: the straight flat line between them.
+struct VertexPair {
+  std::array<std::int64_t, 2> vertices;
+};
+
+struct FoldRequest {
+  std::variant<CreaseName, VertexPair, Line> where;
+  double angle = 0;                 ///< [rad], inside (-pi, pi), valley > 0
+  std::optional<double> duration;   ///< [s]; none: SimulationConfig::fold_duration
+  std::optional<double> stiffness;  ///< [N*m/rad per m]; none: Material::crease_stiffness
+  std::string name;                 ///< of the new crease; empty: one is made up
+};
+
+struct FoldResult {
+  std::vector<std::uint32_t> crease_ids;
+  std::vector<int> vertices;  ///< the polyline in order; of a group, one crease after the other
+};
+
+/// A ball in space: every vertex now inside it.
+struct Ball {
+  Vector3 center;
+  double radius;  ///< [m]
+};
+/// A polygon on the flat sheet: every vertex inside it or on it.
+struct Region {
+  std::vector<Vector2> corners;
+};
+using PinWhere = std::variant<std::vector<std::int64_t>,  // vertices
+                              std::vector<Vector2>,       // nearest vertex of each flat point
+                              Region, Ball>;
+
+/// One crease now. Angles in radians, valley > 0, means weighted by length.
+struct CreaseStatus {
+  std::uint32_t id = 0;
+  std::string name;
+  double angle = 0, angle_min = 0, angle_max = 0;
+  double rest_angle = 0;
+  double target_angle = 0;
+  double moment = 0;    ///< mean [N*m per m], positive towards a valley
+  bool driven = false;  ///< a fold has named it
+};
+
+struct Energies {
+  double membrane = 0, bending = 0, kinetic = 0, gravity = 0;  ///< [J]
+};
+
+/// Sums over the life of the simulation.
+struct Counters {
+  std::uint64_t steps = 0;
+  std::uint64_t newton_iterations = 0;
+  std::uint64_t factorizations = 0;
+  std::uint64_t retries = 0;
+};
+
+/// An edit the paper took. Fields that a kind does not use are empty.
+struct EditRecord {
+  enum Kind { kFold, kPin, kUnpin, kAddVertex } kind = kFold;
+  std::uint64_t step = 0;      ///< steps completed before it
+  double time = 0;             ///< [s]
+  std::uint32_t revision = 0;  ///< of the sheet after it
+  std::string crease;          ///< fold: the crease or group that was named
+  std::vector<Vector2> line;   ///< fold: the two ends on the flat sheet [m]
+  std::vector<int> vertices;   ///< fold: the polyline; pin, unpin: the vertices;
+                               ///< add_vertex: the edge and the new vertex
+  double angle = 0, duration = 0, stiffness = 0, fraction = 0;
+};
+
+/// Edits throw std::invalid_argument with one sentence that names the offending value, and then
+/// have changed nothing. Everything is deterministic: the same calls give the same bits.
+class Simulation {
+ public:
+  /// A sheet at rest, flat in the plane z = 0, or at `positions` (one column a vertex) with the
+  /// creases at rest at `rest_angles` (one for each crease; NaN: a free crease).
+  Simulation(Sheet sheet, const SimulationConfig& config);
+  Simulation(Sheet sheet, const SimulationConfig& config, const Positions& positions,
+             const std::vector<double>& rest_angles);
+
+  FoldResult fold(const FoldRequest& request);
+  /// Returns the vertices that are held by this request, ascending.
+  std::vector<int> pin(const PinWhere& where);
+  /// Lets go of these vertices (none given: of all) and returns them.
+  std::vector<int> unpin(const std::vector<std::int64_t>& vertices = {});
+  /// Adds a vertex on the edge a, b at `fraction` of its flat length from a.
+  int addVertex(std::int64_t a, std::int64_t b, double fraction);
+
+  /// The edits taken since the last call, oldest first.
+  std::vector<EditRecord> takeEdits();
+
+  /// Advances by SolverConfig::time_step. A step that does not converge leaves everything as it
+  /// was and says so in the report.
+  StepReport step();
+
+  const Sheet& sheet() const { return sheet_; }
+  const SimulationConfig& config() const { return config_; }
+  const Positions& positions() const { return motion_.positions; }
+  const Positions& velocities() const { return motion_.velocities; }
+  const std::set<int>& pinned() const { return pinned_; }
+  const Counters& counters() const { return counters_; }
+  double time() const { return time_; }  ///< [s]
+
+  std::vector<CreaseStatus> creases() const;  ///< in the order of sheet().creases()
+  Energies energies() const;
+  /// Largest |edge length / flat length - 1|.
+  double maxStrain() const;
+  /// Whether a ramp is still running.
+  bool folding() const;
+  /// Whether no ramp runs and speeds and accelerations are too small to see.
+  bool settled() const;
+
+ private:
+  class RampDrive;
+  FoldResult foldLine(const Line& line, const FoldRequest& request);
+  FoldResult foldNamed(const std::string& name, const FoldRequest& request);
+  void startRamp(int crease, double target, const FoldRequest& request);
+  std::vector<int> verticesAt(const PinWhere& where) const;
+  void checkVertex(std::int64_t vertex) const;
+  void follow(const Remap& remap, const std::vector<Crease>& creases_before);
+  double meanAngle(int crease) const;
+  void topologyChanged();
+  void pinsChanged();
+  void record(EditRecord edit);
+
+  SimulationConfig config_;
+  Sheet sheet_;
+  Shell shell_;
+  Motion motion_;
+  std::vector<FoldRamp> ramps_;  ///< one for each crease of the sheet
+  std::set<int> pinned_;
+  Newmark integrator_;
+  Counters counters_;
+  std::vector<EditRecord> edits_;
+  double time_ = 0;
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,57 @@
+/// \file
+/// FOLD files (github.com/edemaine/fold, specification 1.2): crease patterns in, papers out.
+#pragma once
+
+#include "sheet/sheet.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shell_origami {
+
+struct FoldReadOptions {
+  double scale = 0;     ///< metres per unit of the file; 0: the frame_unit the file states
+  /// Longest edge wanted [m]; 0: keep the file's own triangles, or where it has none, add no
+  /// vertices.
+  double max_edge = 0;
+};
+
+/// A paper as a FOLD file describes it.
+struct FoldPaper {
+  Sheet sheet;
+  /// What the file asks of each crease [rad], valley > 0; NaN: nothing (a free crease).
+  /// M and V in a file without fold angles ask for -pi and pi; null, and U with 0, for nothing.
+  std::vector<double> pattern_angles;
+  /// Where the paper is in space: the file's last folded form, when the file's own vertices are
+  /// kept (max_edge 0) and it is not folded flat (an edge beyond 179.9 degrees).
+  std::optional<Positions> positions;
+  /// At which angle each crease rests there [rad]; NaN: a free crease. Empty without positions.
+  std::vector<double> rest_angles;
+};
+
+/// Reads a crease pattern. Creases are grouped into straight lines named crease_0, crease_1, ...
+/// or as the file names them (our own files do).
+/// \throws std::invalid_argument with one sentence that names the file and the place.
+FoldPaper readFold(const std::string& path, const FoldReadOptions& options = {});
+
+/// One crease as it is written.
+struct FoldCrease {
+  double angle = 0;       ///< now [rad]
+  double rest_angle = 0;  ///< [rad]; NaN: a free crease
+};
+
+/// A FOLD document: the flat pattern as its key frame (achieved angles in edges_foldAngle) and
+/// the folded form as a frame that inherits from it. In metres.
+nlohmann::json writeFold(const Sheet& sheet, const std::vector<FoldCrease>& creases,
+                         const Positions& positions, const std::string& title);
+
+/// A folded form of the document's pattern at a time, to append to its file_frames.
+nlohmann::json foldedFrame(const Positions& positions, double time);
+
+/// The document as text, one line for each of its words.
+std::string foldText(const nlohmann::json& document);
+
+}  // namespace shell_origami

@@ -1,0 +1,42 @@
+#include "sheet/fold_line.h"
+
+#include "sheet/refuse.h"
+#include "sheet/sheet_editor.h"
+
+
+namespace shell_origami {
+FoldLine makeFoldLine(Sheet& sheet, const Line& line, const std::string& name,
+                      const EditContext& context) {
+  for (const Vector2& end : line) {
+    if (!end.allFinite()) {
+      refuse("an end of the line is not finite: (", end.x(), ", ", end.y(), ")");
+    }
+  }
+  SheetEditor editor(sheet, context);
+  if ((line[1] - line[0]).norm() <= editor.mesh().snap()) {
+    refuse("both ends of the line are the same point (", line[0].x(), ", ", line[0].y(), ")");
+  }
+  const int from = editor.insertPoint(line[0]);
+  const int to = editor.insertPoint(line[1]);
+  if (from == to) refuse("both ends of the line are vertex ", from);
+  const std::vector<int> polyline = editor.insertSegment(from, to);
+  if (editor.runsAlongBorder(polyline)) refuse("the line runs along the border of the paper");
+  improve(editor.mesh());
+  return editor.commit(sheet, polyline, name);
+}
+
+AddedVertex addVertex(Sheet& sheet, int a, int b, double fraction) {
+  const auto inside = [&sheet](int v) { return v >= 0 && v < sheet.vertexCount(); };
+  for (int v : {a, b}) {
+    if (!inside(v)) refuse("vertex ", v, " does not exist: the sheet has ", sheet.vertexCount());
+  }
+  if (!(fraction > 0 && fraction < 1)) refuse("fraction ", fraction, " is not inside (0, 1)");
+  SheetEditor editor(sheet, {});
+  const auto side = a == b ? std::nullopt : sheet.triangulation().findSide(a, b);
+  if (!side) refuse("vertices ", a, " and ", b, " share no edge");
+  const Vector2 &from = sheet.flatPositions()[a], &to = sheet.flatPositions()[b];
+  const int vertex = editor.mesh().splitEdge(*side, from + fraction * (to - from));
+  return {vertex, editor.commit(sheet, {}, "").remap};
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,111 @@
+#include "sheet/material_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace shell_origami {
+namespace {
+
+/// Triangles whose smallest angle is below this are worth work.
+constexpr double kGoodAngle = 30 * M_PI / 180;
+constexpr int kPasses = 6;
+
+std::vector<int> sortedUnique(std::vector<int> values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
+/// Positive when the edge's two triangles would have a larger smallest angle after a flip.
+bool flipHelps(const MaterialMesh& mesh, Triangulation::Side side) {
+  const auto [a, b] = mesh.flat().ends(side);
+  const int c = mesh.flat().apex(side), d = mesh.flat().apex(mesh.flat().opposite(side));
+  const Vector2 &pa = mesh.point(a), &pb = mesh.point(b), &pc = mesh.point(c), &pd = mesh.point(d);
+  const double now = std::min(smallestAngle(pa, pb, pc), smallestAngle(pb, pa, pd));
+  const double then = std::min(smallestAngle(pa, pd, pc), smallestAngle(pd, pb, pc));
+  return then > now + 1e-9;
+}
+
+/// Flips, from the given vertices outwards, every edge whose flip enlarges the smallest angle.
+/// Each flip does, so it ends.
+void flipAround(MaterialMesh& mesh, const std::vector<int>& vertices) {
+  std::deque<int> queue(vertices.begin(), vertices.end());
+  while (!queue.empty()) {
+    const int v = queue.front();
+    queue.pop_front();
+    for (int t : mesh.flat().around(v)) {
+      const Triangulation::Side side{t, mesh.flat().cornerOf(t, v)};
+      const Triangulation::Side spoke{t, (side.edge + 1) % 3};
+      bool flipped = false;
+      for (const Triangulation::Side candidate : {side, spoke}) {
+        if (!mesh.mayFlip(candidate) || !flipHelps(mesh, candidate)) continue;
+        const auto [a, b] = mesh.flat().ends(candidate);
+        const int far = mesh.flat().apex(mesh.flat().opposite(candidate));
+        const int near = mesh.flat().apex(candidate);
+        mesh.flip(candidate);
+        queue.insert(queue.end(), {v, a, b, near, far});
+        flipped = true;
+        break;
+      }
+      if (flipped) break;
+    }
+  }
+}
+
+/// The place towards which shifting v would even out its surroundings.
+Vector2 evenPlace(const MaterialMesh& mesh, int v, const MaterialMesh::Freedom& freedom) {
+  Vector2 sum = Vector2::Zero();
+  int count = 0;
+  for (int t : mesh.flat().around(v)) {
+    for (int w : mesh.flat().triangles()[t]) {
+      if (w == v) continue;
+      sum += mesh.point(w);
+      ++count;
+    }
+  }
+  const Vector2 centroid = sum / count;
+  if (freedom.kind == MaterialMesh::Freedom::kFree) return centroid;
+  // Near the centroid's foot on the rail, but off its ends.
+  const Vector2 &a = mesh.point(freedom.rail[0]), &b = mesh.point(freedom.rail[1]);
+  const double s = (centroid - a).dot(b - a) / (b - a).squaredNorm();
+  return a + std::clamp(s, 0.2, 0.8) * (b - a);
+}
+
+/// Shifts v if that enlarges the smallest angle around it.
+bool smooth(MaterialMesh& mesh, int v) {
+  const double now = mesh.smallestAngle(v, mesh.point(v));
+  if (now >= kGoodAngle) return false;
+  const MaterialMesh::Freedom freedom = mesh.freedom(v);
+  if (freedom.kind == MaterialMesh::Freedom::kFixed || !mesh.nearlyFlatAround(v)) return false;
+  const Vector2 goal = evenPlace(mesh, v, freedom), start = mesh.point(v);
+  for (const double step : {1.0, 0.5, 0.25, 0.1}) {
+    const Vector2 p = start + step * (goal - start);
+    if (mesh.smallestAngle(v, p) <= now + 1e-3) continue;
+    mesh.shift(v, p);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void improve(MaterialMesh& mesh) {
+  std::vector<int> region = sortedUnique(mesh.touched());
+  for (int pass = 0; pass < kPasses; ++pass) {
+    flipAround(mesh, region);
+    std::vector<int> ring = region;
+    for (int v : region) {
+      for (int t : mesh.flat().around(v)) {
+        const Triangle& c = mesh.flat().triangles()[t];
+        ring.insert(ring.end(), c.begin(), c.end());
+      }
+    }
+    bool moved = false;
+    for (int v : sortedUnique(ring)) moved |= smooth(mesh, v);
+    if (!moved) break;
+    region = sortedUnique(mesh.touched());
+  }
+}
+
+}  // namespace shell_origami

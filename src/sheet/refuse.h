@@ -1,0 +1,18 @@
+/// \file
+/// How the core refuses what makes no sense: one sentence that names the offending value.
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+
+namespace shell_origami {
+
+/// Joins the parts into a sentence. \throws std::invalid_argument always
+template <class... Parts>
+[[noreturn]] void refuse(const Parts&... parts) {
+  std::ostringstream sentence;
+  (sentence << ... << parts);
+  throw std::invalid_argument(sentence.str());
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,299 @@
+#include "sheet/sheet_editor.h"
+
+#include "sheet/refuse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace shell_origami {
+namespace {
+
+/// A vertex this close to the line, as a part of the edge that would be cut beside it, is shifted
+/// onto the line instead.
+constexpr double kClose = 0.3;
+/// ... provided that no angle around it falls below this [rad].
+constexpr double kLeastAngle = 15 * M_PI / 180;
+
+std::string text(const Vector2& p) {
+  std::ostringstream out;
+  out << "(" << p.x() << ", " << p.y() << ")";
+  return out.str();
+}
+
+double offLine(const Vector2& p, const Line& line) {
+  return doubleArea(line[0], line[1], p) / (line[1] - line[0]).norm();
+}
+
+/// Where the line through `line` meets the one through a and b.
+Vector2 intersection(const Vector2& a, const Vector2& b, const Line& line) {
+  const double sa = offLine(a, line), sb = offLine(b, line);
+  return a + sa / (sa - sb) * (b - a);
+}
+
+}  // namespace
+
+SheetEditor::SheetEditor(const Sheet& sheet, const EditContext& context)
+    : mesh_(sheet.triangulation(), context.positions, context.held),
+      old_creases_(sheet.creases()) {}
+
+int SheetEditor::addCrease(std::optional<int> parent) {
+  new_creases_.push_back({parent});
+  return static_cast<int>(old_creases_.size() + new_creases_.size()) - 1;
+}
+
+bool SheetEditor::shiftTo(int v, const Vector2& p) {
+  if (std::count(protected_.begin(), protected_.end(), v)) return false;
+  const MaterialMesh::Freedom freedom = mesh_.freedom(v);
+  if (freedom.kind == MaterialMesh::Freedom::kFixed || !mesh_.nearlyFlatAround(v)) return false;
+  if (freedom.kind == MaterialMesh::Freedom::kSlides &&
+      distanceToSegment(p, mesh_.point(freedom.rail[0]), mesh_.point(freedom.rail[1])) >
+          1e-12 * mesh_.size()) {
+    return false;
+  }
+  const double least = std::min(kLeastAngle, mesh_.smallestAngle(v, mesh_.point(v)));
+  if (mesh_.smallestAngle(v, p) < least) return false;
+  mesh_.shift(v, p);
+  return true;
+}
+
+int SheetEditor::insertPoint(const Vector2& p) {
+  protected_.push_back(vertexAt(p));
+  return protected_.back();
+}
+
+int SheetEditor::vertexAt(const Vector2& p) {
+  const auto place = mesh_.flat().locate(p, mesh_.snap());
+  if (!place) refuse("the point ", text(p), " is off the paper");
+  const Triangle corners = mesh_.flat().triangles()[place->triangle];
+  for (int v : corners) {
+    if ((mesh_.point(v) - p).norm() <= mesh_.snap()) return v;
+  }
+  // On an edge, or in the face.
+  Triangulation::Side nearest;
+  double distance = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const auto [a, b] = mesh_.flat().ends({place->triangle, k});
+    const double d = distanceToSegment(p, mesh_.point(a), mesh_.point(b));
+    if (d < distance) {
+      distance = d;
+      nearest = {place->triangle, k};
+    }
+  }
+  const auto [a, b] = mesh_.flat().ends(nearest);
+  Vector2 target = p;
+  if (distance <= mesh_.snap()) {
+    const Vector2 along = mesh_.point(b) - mesh_.point(a);
+    target = mesh_.point(a) + along.dot(p - mesh_.point(a)) / along.squaredNorm() * along;
+  }
+  const double reach = kClose * (mesh_.point(b) - mesh_.point(a)).norm();
+  for (int v : corners) {
+    if ((mesh_.point(v) - target).norm() < reach && shiftTo(v, target)) return v;
+  }
+  if (distance <= mesh_.snap()) return mesh_.splitEdge(nearest, target);
+  return mesh_.splitTriangle(place->triangle, target);
+}
+
+/// The vertex after `current` if an edge already lies on the line.
+std::optional<int> SheetEditor::nextOnLine(int current, int to, const Line& line) const {
+  const Vector2 ahead = line[1] - line[0];
+  for (int t : mesh_.flat().around(current)) {
+    for (int v : mesh_.flat().triangles()[t]) {
+      if (v == current || (mesh_.point(v) - mesh_.point(current)).dot(ahead) <= 0) continue;
+      if (v == to || std::abs(offLine(mesh_.point(v), line)) <= mesh_.snap()) return v;
+    }
+  }
+  return std::nullopt;
+}
+
+Triangulation::Side SheetEditor::crossedSide(int current, const Line& line) const {
+  for (int t : mesh_.flat().around(current)) {
+    const Triangulation::Side side{t, mesh_.flat().cornerOf(t, current)};
+    const auto [right, left] = mesh_.flat().ends(side);
+    if (offLine(mesh_.point(right), line) < 0 && offLine(mesh_.point(left), line) > 0) return side;
+  }
+  refuse("the line leaves the paper at ", text(mesh_.point(current)));
+}
+
+/// Shifts an end of the crossed edge onto the line if one is close to it.
+bool SheetEditor::pullOntoLine(int current, const std::array<int, 2>& ends, const Line& line) {
+  const double length = (mesh_.point(ends[1]) - mesh_.point(ends[0])).norm();
+  std::array<int, 2> order = ends;
+  if (std::abs(offLine(mesh_.point(ends[1]), line)) <
+      std::abs(offLine(mesh_.point(ends[0]), line))) {
+    std::swap(order[0], order[1]);
+  }
+  for (int v : order) {
+    const Vector2& p = mesh_.point(v);
+    const MaterialMesh::Freedom freedom = mesh_.freedom(v);
+    Vector2 foot;
+    if (freedom.kind == MaterialMesh::Freedom::kFree) {
+      const Vector2 along = (line[1] - line[0]).normalized();
+      foot = line[0] + along.dot(p - line[0]) * along;
+    } else if (freedom.kind == MaterialMesh::Freedom::kSlides) {
+      const Vector2 &a = mesh_.point(freedom.rail[0]), &b = mesh_.point(freedom.rail[1]);
+      if (offLine(a, line) * offLine(b, line) >= 0) continue;
+      foot = intersection(a, b, line);
+    } else {
+      continue;
+    }
+    const bool ahead = (foot - mesh_.point(current)).dot(line[1] - line[0]) > 0;
+    if (ahead && (foot - p).norm() < kClose * length && shiftTo(v, foot)) return true;
+  }
+  return false;
+}
+
+std::vector<int> SheetEditor::insertSegment(int from, int to) {
+  const Line line{mesh_.point(from), mesh_.point(to)};
+  std::vector<int> polyline{from};
+  // Each turn of the loop brings the line forward by a vertex or pulls one onto it.
+  while (polyline.back() != to) {
+    const int current = polyline.back();
+    if (const auto next = nextOnLine(current, to, line)) {
+      polyline.push_back(*next);
+      protected_.push_back(*next);
+      continue;
+    }
+    const Triangulation::Side side = crossedSide(current, line);
+    const auto ends = mesh_.flat().ends(side);
+    if (pullOntoLine(current, ends, line)) continue;
+    mesh_.splitEdge(side, intersection(mesh_.point(ends[0]), mesh_.point(ends[1]), line));
+  }
+  label(polyline);
+  return polyline;
+}
+
+bool SheetEditor::runsAlongBorder(const std::vector<int>& polyline) const {
+  for (std::size_t i = 1; i < polyline.size(); ++i) {
+    const auto side = mesh_.flat().findSide(polyline[i - 1], polyline[i]);
+    if (mesh_.flat().neighbour(*side) != Triangulation::kNone) return false;
+  }
+  return true;
+}
+
+void SheetEditor::label(const std::vector<int>& polyline) {
+  const Triangulation& mesh = mesh_.flat();
+  std::map<int, std::size_t> covered;
+  std::vector<Triangulation::Side> sides;
+  for (std::size_t i = 1; i < polyline.size(); ++i) {
+    sides.push_back(*mesh.findSide(polyline[i - 1], polyline[i]));
+    ++covered[mesh.label(sides.back())];
+  }
+  std::map<int, std::size_t> whole;
+  for (int t = 0; t < static_cast<int>(mesh.triangles().size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (mesh.neighbour({t, k}) > t) ++whole[mesh.label({t, k})];
+    }
+  }
+  std::map<int, int> new_label;
+  for (const auto& side : sides) {
+    const int old = mesh.label(side);
+    if (mesh.neighbour(side) == Triangulation::kNone) continue;
+    if (old != Triangulation::kNone && covered[old] == whole[old]) continue;
+    if (!new_label.count(old)) {
+      const bool fresh = old == Triangulation::kNone;
+      new_label[old] = addCrease(fresh ? std::nullopt : std::optional<int>(old));
+    }
+  }
+  for (const auto& side : sides) {
+    if (mesh.neighbour(side) == Triangulation::kNone) continue;
+    const auto relabelled = new_label.find(mesh.label(side));
+    if (relabelled != new_label.end()) mesh_.setLabel(side, relabelled->second);
+  }
+}
+
+FoldLine SheetEditor::commit(Sheet& sheet, const std::vector<int>& polyline,
+                             const std::string& name) {
+  FoldLine result;
+  result.vertices = polyline;
+  traceVertices(sheet, result.remap);
+  std::vector<Crease> creases = gatherCreases(sheet, polyline, name, result.remap);
+
+  Sheet edited(mesh_.flat(), std::move(creases));
+  edited.setRevision(sheet.revision() + 1);
+  edited.next_crease_id_ = std::max(edited.next_crease_id_, sheet.next_crease_id_);
+  for (std::size_t i = 1; i < polyline.size(); ++i) {
+    const int crease = edited.triangulation().label(
+        *edited.triangulation().findSide(polyline[i - 1], polyline[i]));
+    if (crease < 0) continue;
+    const std::uint32_t id = edited.creases()[crease].id;
+    auto& ids = result.crease_ids;
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  }
+  sheet = std::move(edited);
+  return result;
+}
+
+void SheetEditor::traceVertices(const Sheet& before, Remap& remap) const {
+  remap.vertices_before = before.vertexCount();
+  const auto& points = mesh_.flat().points();
+  for (int v = 0; v < static_cast<int>(points.size()); ++v) {
+    if (v < before.vertexCount() && points[v] == before.flatPositions()[v]) continue;
+    const auto place = before.triangulation().locate(points[v], mesh_.snap());
+    remap.changed.push_back(v);
+    remap.origins.push_back({before.triangles()[place->triangle], place->weights});
+  }
+}
+
+namespace {
+
+/// Splits a crease's edges, ordered along its line, into runs without gaps.
+std::vector<std::vector<int>> runsAlong(std::vector<std::array<int, 2>> edges,
+                                        const std::vector<Vector2>& points,
+                                        const Vector2& direction) {
+  for (auto& [a, b] : edges) {
+    if (direction.dot(points[b] - points[a]) < 0) std::swap(a, b);
+  }
+  std::sort(edges.begin(), edges.end(), [&](const auto& e, const auto& f) {
+    return direction.dot(points[e[0]]) < direction.dot(points[f[0]]);
+  });
+  std::vector<std::vector<int>> runs;
+  for (const auto& [a, b] : edges) {
+    if (runs.empty() || runs.back().back() != a) runs.push_back({a});
+    runs.back().push_back(b);
+  }
+  return runs;
+}
+
+}  // namespace
+
+std::vector<Crease> SheetEditor::gatherCreases(Sheet& sheet, const std::vector<int>& polyline,
+                                               const std::string& name, Remap& remap) {
+  const Triangulation& mesh = mesh_.flat();
+  std::map<int, std::vector<std::array<int, 2>>> edges;
+  for (int t = 0; t < static_cast<int>(mesh.triangles().size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int label = mesh.label({t, k});
+      if (label != Triangulation::kNone && mesh.neighbour({t, k}) > t) {
+        edges[label].push_back(mesh.ends({t, k}));
+      }
+    }
+  }
+  std::vector<Crease> creases;
+  std::uint32_t next_id = sheet.next_crease_id_;
+  const int old_count = static_cast<int>(old_creases_.size());
+  for (const auto& [label, own] : edges) {
+    const bool is_old = label < old_count;
+    const auto parent = is_old ? std::optional<int>(label) : new_creases_[label - old_count].parent;
+    const std::vector<int>& line = parent ? old_creases_[*parent].vertices : polyline;
+    const Vector2 direction = mesh.points()[line.back()] - mesh.points()[line.front()];
+    bool keeps_id = is_old;
+    for (std::vector<int>& run : runsAlong(own, mesh.points(), direction)) {
+      Crease crease;
+      crease.id = keeps_id ? old_creases_[label].id : next_id++;
+      const bool named = !is_old && !name.empty();
+      crease.name = named    ? name
+                    : parent ? old_creases_[*parent].name
+                             : "fold_" + std::to_string(crease.id);
+      crease.vertices = std::move(run);
+      if (parent) crease.pattern_angle = old_creases_[*parent].pattern_angle;
+      if (parent && !keeps_id) remap.born.push_back({crease.id, old_creases_[*parent].id});
+      creases.push_back(std::move(crease));
+      keeps_id = false;
+    }
+  }
+  return creases;
+}
+
+}  // namespace shell_origami

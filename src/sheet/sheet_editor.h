@@ -1,0 +1,54 @@
+/// \file
+/// An edit of a sheet under way: works on a copy and hands it back whole.
+#pragma once
+
+#include "sheet/fold_line.h"
+#include "sheet/material_mesh.h"
+
+#include <optional>
+#include <vector>
+
+namespace shell_origami {
+
+class SheetEditor {
+ public:
+  SheetEditor(const Sheet& sheet, const EditContext& context);
+
+  /// The vertex at p: one that is there, one close by that may be shifted there, or a new one.
+  /// \throws std::invalid_argument off the paper
+  int insertPoint(const Vector2& p);
+  /// Makes the straight line from one vertex to another run along edges and returns its vertices
+  /// in order. Edges that carried no crease form a new one.
+  /// \throws std::invalid_argument when the line leaves the paper
+  std::vector<int> insertSegment(int from, int to);
+  bool runsAlongBorder(const std::vector<int>& polyline) const;
+  MaterialMesh& mesh() { return mesh_; }
+
+  /// Gives the edit to the sheet and bumps its revision. Creases are gathered from the labels;
+  /// `name` goes to those that are new on the polyline.
+  FoldLine commit(Sheet& sheet, const std::vector<int>& polyline, const std::string& name);
+
+ private:
+  /// A crease under way: the parent it was cut off, or none.
+  struct NewCrease {
+    std::optional<int> parent;  ///< index of the old crease
+  };
+  int addCrease(std::optional<int> parent);
+  std::optional<int> nextOnLine(int current, int to, const Line& line) const;
+  Triangulation::Side crossedSide(int current, const Line& line) const;
+  bool pullOntoLine(int current, const std::array<int, 2>& ends, const Line& line);
+  /// Shifts v to p if that changes neither outline, creases nor shape and leaves no sliver.
+  bool shiftTo(int v, const Vector2& p);
+  int vertexAt(const Vector2& p);
+  void label(const std::vector<int>& polyline);
+  std::vector<Crease> gatherCreases(Sheet& sheet, const std::vector<int>& polyline,
+                                    const std::string& name, Remap& remap);
+  void traceVertices(const Sheet& before, Remap& remap) const;
+
+  MaterialMesh mesh_;
+  const std::vector<Crease>& old_creases_;
+  std::vector<NewCrease> new_creases_;
+  std::vector<int> protected_;  ///< ends of the line, which stay
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,40 @@
+/// \file
+/// Stretching and shearing of one triangle: St. Venant-Kirchhoff in plane stress.
+#pragma once
+
+#include "sheet/geometry.h"
+#include "shell/material.h"
+
+namespace shell_origami {
+
+/// Three points of a triangle in space, counter-clockwise seen from the front.
+using TrianglePoints = std::array<Eigen::Vector3d, 3>;
+using MembraneGradient = Eigen::Matrix<double, 9, 1>;
+using MembraneHessian = Eigen::Matrix<double, 9, 9>;
+
+/// W = A t (lambda/2 tr(E)^2 + mu E:E) with the Green strain E = (F^T F - I) / 2 of the flat
+/// triangle's map into space and the plane-stress constants lambda = E nu / (1 - nu^2),
+/// mu = E / (2 (1 + nu)).
+class MembraneElement {
+ public:
+  MembraneElement() = default;
+  MembraneElement(const std::array<Vector2, 3>& flat, const Material& material);
+
+  double energy(const TrianglePoints& x) const;                  ///< [J]
+  MembraneGradient gradient(const TrianglePoints& x) const;      ///< [N]
+  /// The exact Hessian, or with `projected` a positive semidefinite one: stress is clamped to
+  /// tension in its geometric part.
+  MembraneHessian hessian(const TrianglePoints& x, bool projected) const;
+  /// Area in space over flat area.
+  double areaRatio(const TrianglePoints& x) const;
+
+ private:
+  using Deformation = Eigen::Matrix<double, 3, 2>;
+  Deformation deformation(const TrianglePoints& x) const;
+  Eigen::Matrix2d stress(const Deformation& f) const;  ///< second Piola-Kirchhoff times A t [N m]
+
+  Eigen::Matrix<double, 3, 2> shape_;  ///< gradients of the three shape functions [1/m]
+  double lambda_ = 0, mu_ = 0;         ///< times A t [N m]
+};
+
+}  // namespace shell_origami

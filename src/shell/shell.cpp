@@ -1,0 +1,183 @@
+#include "shell/shell.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shell_origami {
+namespace {
+
+/// Creases rest on this side of 180 degrees; what swings further is stopped by the energy, which
+/// grows without bound, before it comes to the last angle.
+constexpr double kLastRestAngle = 179 * M_PI / 180;
+constexpr double kLastAngle = 179.99 * M_PI / 180;
+/// A step of the search takes at most this part of the way to the last angle.
+constexpr double kPartOfRoom = 0.9;
+/// No hinge may turn by more than this in one step of the search.
+constexpr double kLargestTurn = 1;
+/// A triangle squeezed below this part of its flat area has collapsed.
+constexpr double kCollapsed = 0.05;
+
+double heightOn(const Vector2& a, const Vector2& b, const Vector2& apex) {
+  return std::abs(doubleArea(a, b, apex)) / (b - a).norm();
+}
+
+/// Removes negative eigenvalues.
+HingeHessian project(const HingeHessian& hessian) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+Shell::Shell(const Sheet& sheet, const Material& material, const Vector3& gravity)
+    : triangles_(sheet.triangles()),
+      crease_hinges_(sheet.creases().size()),
+      masses_(Eigen::VectorXd::Zero(sheet.vertexCount())),
+      gravity_(gravity) {
+  const auto& flat = sheet.flatPositions();
+  for (const Triangle& t : triangles_) {
+    membranes_.emplace_back(std::array<Vector2, 3>{flat[t[0]], flat[t[1]], flat[t[2]]}, material);
+    const double area = doubleArea(flat[t[0]], flat[t[1]], flat[t[2]]) / 2;
+    for (int v : t) masses_[v] += material.arealDensity() * area / 3;
+  }
+  for (const Edge& edge : sheet.edges()) {
+    if (edge.onBorder()) continue;
+    const auto [a, b] = edge.vertices;
+    Hinge hinge;
+    hinge.vertices = {a, b, edge.opposite[0], edge.opposite[1]};
+    hinge.length = (flat[b] - flat[a]).norm();
+    hinge.crease = edge.crease;
+    if (edge.crease >= 0) {
+      crease_hinges_[edge.crease].push_back(static_cast<int>(hinges_.size()));
+    } else {
+      // W = k (phi - rest)^2 |e| / h_e with k = B / 6 and h_e a third of the mean height: the
+      // plate's bending energy, in every direction on an equilateral mesh.
+      const double mean_height = (heightOn(flat[a], flat[b], flat[edge.opposite[0]]) +
+                                  heightOn(flat[a], flat[b], flat[edge.opposite[1]])) / 2;
+      hinge.stiffness = 2 * material.bendingStiffness() / 6 * hinge.length / (mean_height / 3);
+    }
+    hinges_.push_back(hinge);
+  }
+}
+
+void Shell::setCrease(int crease, double rest_angle, double stiffness) {
+  for (int j : crease_hinges_[crease]) {
+    hinges_[j].rest_angle = std::clamp(rest_angle, -kLastRestAngle, kLastRestAngle);
+    hinges_[j].stiffness = stiffness * hinges_[j].length;
+  }
+}
+
+TrianglePoints Shell::pointsOf(const Triangle& t, const Positions& x) const {
+  return {x.col(t[0]), x.col(t[1]), x.col(t[2])};
+}
+
+HingePoints Shell::pointsOf(const Hinge& h, const Positions& x) const {
+  return {x.col(h.vertices[0]), x.col(h.vertices[1]), x.col(h.vertices[2]),
+          x.col(h.vertices[3])};
+}
+
+double Shell::membraneEnergy(const Positions& x) const {
+  double energy = 0;
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    energy += membranes_[i].energy(pointsOf(triangles_[i], x));
+  }
+  return energy;
+}
+
+double Shell::bendingEnergy(const Positions& x) const {
+  double energy = 0;
+  for (const Hinge& hinge : hinges_) {
+    const double bend = hinge.bend(shell_origami::foldAngle(pointsOf(hinge, x))).value;
+    energy += hinge.stiffness / 2 * bend * bend;
+  }
+  return energy;
+}
+
+double Shell::gravityEnergy(const Positions& x) const { return -gravity_.dot(x * masses_); }
+
+double Shell::foldAngle(int hinge, const Positions& x) const {
+  return shell_origami::foldAngle(pointsOf(hinges_[hinge], x));
+}
+
+double Shell::moment(int hinge, double theta) const {
+  const Hinge& h = hinges_[hinge];
+  const Bend bend = h.bend(theta);
+  return -h.stiffness / h.length * bend.value * bend.first;
+}
+
+void Shell::foldAngles(const Positions& x, std::vector<double>& angles) const {
+  angles.resize(hinges_.size());
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    angles[j] = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+  }
+}
+
+double Shell::energy(const Positions& x, const std::vector<double>& angles) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double energy = gravityEnergy(x);
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const TrianglePoints points = pointsOf(triangles_[i], x);
+    if (!(membranes_[i].areaRatio(points) > kCollapsed)) return kInfinity;
+    energy += membranes_[i].energy(points);
+  }
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    const double theta = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+    const bool past = std::abs(theta) > kLastAngle && std::abs(theta) > std::abs(angles[j]);
+    if (past || std::abs(theta - angles[j]) > 2 * kLargestTurn) return kInfinity;
+    const double bend = hinges_[j].bend(theta).value;
+    energy += hinges_[j].stiffness / 2 * bend * bend;
+  }
+  return energy;
+}
+
+void Shell::addGradient(const Positions& x, const std::vector<double>& angles,
+                        Positions& gradient) const {
+  gradient.noalias() -= gravity_ * masses_.transpose();
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const MembraneGradient g = membranes_[i].gradient(pointsOf(triangles_[i], x));
+    for (int k = 0; k < 3; ++k) gradient.col(triangles_[i][k]) += g.segment<3>(3 * k);
+  }
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    const Hinge& hinge = hinges_[j];
+    const Bend bend = hinge.bend(angles[j]);
+    const double torque = hinge.stiffness * bend.value * bend.first;
+    const HingeGradient g = foldAngleGradient(pointsOf(hinge, x));
+    for (int k = 0; k < 4; ++k) gradient.col(hinge.vertices[k]) += torque * g.segment<3>(3 * k);
+  }
+}
+
+HingeHessian Shell::hingeHessian(const Hinge& hinge, double theta, const HingePoints& points,
+                                 HessianKind kind) const {
+  const Bend bend = hinge.bend(theta);
+  const double first = hinge.stiffness * bend.value * bend.first;
+  const double convex = hinge.stiffness * bend.first * bend.first;
+  const double second = convex + hinge.stiffness * bend.value * bend.second;
+  const HingeGradient g = foldAngleGradient(points);
+  if (kind == HessianKind::kGaussNewton) {
+    // Where psi'' is small or negative its convex part stands in.
+    return std::max(second, convex) * g * g.transpose();
+  }
+  const HingeHessian hessian = first * foldAngleHessian(points) + second * g * g.transpose();
+  return kind == HessianKind::kExact ? hessian : project(hessian);
+}
+
+double Shell::safeStep(const Positions& x, const std::vector<double>& angles,
+                       const Positions& step) const {
+  double fraction = 1;
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    const Hinge& hinge = hinges_[j];
+    const HingeGradient g = foldAngleGradient(pointsOf(hinge, x));
+    double turn = 0;
+    for (int k = 0; k < 4; ++k) turn += g.segment<3>(3 * k).dot(step.col(hinge.vertices[k]));
+    if (std::abs(turn) * fraction > kLargestTurn) fraction = kLargestTurn / std::abs(turn);
+    const double room = kPartOfRoom * (kLastAngle - std::copysign(1.0, turn) * angles[j]);
+    if (room > 0 && std::abs(turn) * fraction > room) fraction = room / std::abs(turn);
+  }
+  return fraction;
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,102 @@
+/// \file
+/// The elastic energy of the sheet in space: membrane, hinges and gravity.
+#pragma once
+
+#include "sheet/sheet.h"
+#include "shell/dihedral.h"
+#include "shell/material.h"
+#include "shell/membrane.h"
+
+#include <vector>
+
+namespace shell_origami {
+
+/// A hinge between two triangles, in the order of HingePoints.
+/// W = stiffness / 2 u^2 with u = hingeBend(theta, rest_angle), of a crease creaseBend().
+struct Hinge {
+  std::array<int, 4> vertices;
+  double length = 0;      ///< |e| on the flat sheet [m]
+  double stiffness = 0;   ///< [J]
+  double rest_angle = 0;  ///< [rad]
+  int crease = -1;        ///< index into Sheet::creases(), or -1
+
+  Bend bend(double theta) const {
+    return crease < 0 ? hingeBend(theta, rest_angle) : creaseBend(theta, rest_angle);
+  }
+};
+
+enum class HessianKind {
+  kGaussNewton,  ///< hinges: rank one, psi'' grad(theta) grad(theta)^T. Positive semidefinite
+  kProjected,    ///< hinges: the full one with negative eigenvalues removed
+  kExact
+};
+
+/// Energies are pure functions of the positions; the rest state is set by the caller.
+class Shell {
+ public:
+  Shell(const Sheet& sheet, const Material& material, const Vector3& gravity);
+
+  /// Rest angle [rad] and stiffness [N*m/rad per m] of a crease's hinges. Creases are held short
+  /// of 180 degrees, and so is the rest angle.
+  void setCrease(int crease, double rest_angle, double stiffness);
+
+  int vertexCount() const { return static_cast<int>(masses_.size()); }
+  const Eigen::VectorXd& masses() const { return masses_; }  ///< lumped, one a vertex [kg]
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const std::vector<Hinge>& hinges() const { return hinges_; }
+  /// Hinges of each crease.
+  const std::vector<std::vector<int>>& creaseHinges() const { return crease_hinges_; }
+
+  double membraneEnergy(const Positions& x) const;
+  double bendingEnergy(const Positions& x) const;
+  double gravityEnergy(const Positions& x) const;
+
+  double foldAngle(int hinge, const Positions& x) const;
+  /// Moment of a hinge per metre of it [N*m/m], positive towards a valley.
+  double moment(int hinge, double theta) const;
+
+  /// Energy [J] with every fold angle near `angles`, those of a configuration close by (one a
+  /// hinge): infinite where a hinge would have passed 180 degrees on the way, or a triangle has
+  /// collapsed.
+  double energy(const Positions& x, const std::vector<double>& angles) const;
+  void foldAngles(const Positions& x, std::vector<double>& angles) const;
+  /// Adds dW/dx [N].
+  void addGradient(const Positions& x, const std::vector<double>& angles,
+                   Positions& gradient) const;
+  /// Calls sink(i, block) with the 9x9 block of every triangle i, then sink(triangles + j, block)
+  /// with the 12x12 block of every hinge j.
+  template <class Sink>
+  void forEachHessian(const Positions& x, const std::vector<double>& angles, HessianKind kind,
+                      Sink&& sink) const;
+  /// Largest fraction of `step` in (0, 1] that turns no hinge by more than a radian nor carries
+  /// one past the last angle before 180 degrees.
+  double safeStep(const Positions& x, const std::vector<double>& angles,
+                  const Positions& step) const;
+
+ private:
+  TrianglePoints pointsOf(const Triangle& t, const Positions& x) const;
+  HingePoints pointsOf(const Hinge& h, const Positions& x) const;
+  HingeHessian hingeHessian(const Hinge& hinge, double theta, const HingePoints& points,
+                            HessianKind kind) const;
+
+  std::vector<Triangle> triangles_;
+  std::vector<MembraneElement> membranes_;
+  std::vector<Hinge> hinges_;
+  std::vector<std::vector<int>> crease_hinges_;
+  Eigen::VectorXd masses_;
+  Vector3 gravity_;
+};
+
+template <class Sink>
+void Shell::forEachHessian(const Positions& x, const std::vector<double>& angles,
+                           HessianKind kind, Sink&& sink) const {
+  const int triangle_count = static_cast<int>(triangles_.size());
+  for (int i = 0; i < triangle_count; ++i) {
+    sink(i, membranes_[i].hessian(pointsOf(triangles_[i], x), kind != HessianKind::kExact));
+  }
+  for (int j = 0; j < static_cast<int>(hinges_.size()); ++j) {
+    sink(triangle_count + j, hingeHessian(hinges_[j], angles[j], pointsOf(hinges_[j], x), kind));
+  }
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,90 @@
+#include "dynamics/cholesky.h"
+
+#include "sheet/triangulate.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace shell_origami {
+namespace {
+
+/// A sheet's Hessian with inertia on its diagonal; every seventh vertex is held.
+struct System {
+  Sheet sheet{triangulateRectangle(0.1, 0.1, 0.02)};
+  Shell shell{sheet, {}, Vector3::Zero()};
+  std::vector<int> unknown;
+  int count = 0;
+  Positions x = Positions::Zero(3, sheet.vertexCount());
+  SystemMatrix matrix;
+  Eigen::MatrixXd dense;
+
+  System() {
+    for (int v = 0; v < sheet.vertexCount(); ++v) {
+      unknown.push_back(v % 7 == 0 ? -1 : count++);
+      x.col(v).head<2>() = sheet.flatPositions()[v];
+    }
+    matrix = SystemMatrix(shell, unknown, count);
+    fill();
+  }
+
+  void fill() {
+    std::vector<double> angles;
+    shell.foldAngles(x, angles);
+    dense = Eigen::MatrixXd::Identity(3 * count, 3 * count);
+    matrix.setZero();
+    for (int i = 0; i < count; ++i) matrix.addToDiagonal(i, 1);
+    const int triangles = static_cast<int>(shell.triangles().size());
+    shell.forEachHessian(
+        x, angles, HessianKind::kGaussNewton, [&](int stencil, const auto& block) {
+          matrix.add(stencil, block);
+          const int* corners = stencil < triangles
+                                   ? shell.triangles()[stencil].data()
+                                   : shell.hinges()[stencil - triangles].vertices.data();
+          for (int i = 0; i < block.rows(); ++i) {
+            for (int j = 0; j < block.cols(); ++j) {
+              const int row = unknown[corners[i / 3]], column = unknown[corners[j / 3]];
+              if (row >= 0 && column >= 0) dense(3 * row + i % 3, 3 * column + j % 3) += block(i, j);
+            }
+          }
+        });
+  }
+};
+
+TEST(SystemMatrix, HoldsTheSameEntriesAsADenseAssembly) {
+  const System system;
+  Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(system.dense.rows(), system.dense.cols());
+  for (int column = 0; column < system.matrix.size(); ++column) {
+    for (int k = system.matrix.columnStarts()[column]; k < system.matrix.columnStarts()[column + 1];
+         ++k) {
+      lower(system.matrix.rowIndices()[k], column) = system.matrix.values()[k];
+    }
+  }
+  const Eigen::MatrixXd difference = (lower - system.dense).triangularView<Eigen::Lower>();
+  EXPECT_LT(difference.norm(), 1e-13 * system.dense.norm());
+}
+
+TEST(Cholesky, SolvesTheSystem) {
+  System system;
+  Cholesky cholesky;
+  cholesky.analyze(system.matrix);
+  ASSERT_TRUE(cholesky.factorize(system.matrix));
+  const Eigen::VectorXd expected = Eigen::VectorXd::LinSpaced(system.matrix.size(), -1, 2);
+  Eigen::VectorXd b = system.dense * expected;
+  cholesky.solve(b);
+  EXPECT_LT((b - expected).norm(), 1e-7 * expected.norm());
+}
+
+TEST(Cholesky, SaysWhenTheMatrixIsNotPositiveDefinite) {
+  System system;
+  Cholesky cholesky;
+  cholesky.analyze(system.matrix);
+  system.matrix.addToDiagonal(4, -1e9);
+  EXPECT_FALSE(cholesky.factorize(system.matrix));
+  system.fill();
+  EXPECT_TRUE(cholesky.factorize(system.matrix));
+}
+
+}  // namespace
+}  // namespace shell_origami

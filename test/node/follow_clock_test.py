@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+"""With clock: follow, simulation time keeps pace with /clock, which this test publishes."""
+
+import threading
+import time
+
+import rospy
+import rostest
+from rosgraph_msgs.msg import Clock
+
+from origami_client import NodeTest, Origami
+
+STEP = 1.0 / 60
+
+
+class FakeClock(object):
+    """Publishes /clock at about twice the wall clock's pace, from `seconds` on, while it runs."""
+
+    def __init__(self):
+        self.publisher = rospy.Publisher('/clock', Clock, queue_size=10)
+        self.seconds = 100.0
+        self.running = True
+        threading.Thread(target=self._run, daemon=True).start()
+
+    def _run(self):
+        while True:
+            if self.running:
+                self.seconds += 0.02
+            self.publisher.publish(Clock(rospy.Time.from_sec(self.seconds)))
+            time.sleep(0.01)
+
+
+class FollowClockTest(NodeTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.clock = FakeClock()
+        cls.origami = Origami()
+
+    def setUp(self):
+        self.clock.running = True
+        self.origami.do('resume')
+
+    def stamp(self):
+        state = self.origami.states.wait(since=len(self.origami.states.all()), timeout=2)
+        return state.header.stamp.to_sec()
+
+    def test_keeps_pace(self):
+        start = self.stamp()
+        time.sleep(1)
+        self.assertAlmostEqual(self.stamp(), self.clock.seconds, delta=0.3)
+        self.assertGreater(self.stamp(), start + 1)
+
+    def test_stands_still_with_the_clock_and_answers(self):
+        self.clock.running = False
+        time.sleep(0.2)
+        seen = len(self.origami.states.all())
+        self.origami.do('pin', vertices=[0])
+        self.origami.do('unpin')
+        time.sleep(0.3)
+        for state in self.origami.states.all()[seen:]:
+            self.assertAlmostEqual(state.header.stamp.to_sec(), self.clock.seconds, delta=0.1)
+
+    def test_goes_on_after_a_jump_back(self):
+        self.clock.seconds = 50.0
+        time.sleep(0.5)
+        self.assertAlmostEqual(self.stamp(), self.clock.seconds, delta=0.3)
+
+    def test_a_jump_forward_is_not_made_up_for(self):
+        self.clock.seconds += 1000
+        time.sleep(0.3)
+        self.origami.do('pause')
+        time.sleep(0.1)
+        time_now = self.origami.do('step', steps=1).time
+        self.assertLess(time_now, 100)
+
+
+if __name__ == '__main__':
+    rospy.init_node('follow_clock_test')
+    rostest.rosrun('shell_origami', 'follow_clock_test', FollowClockTest)

@@ -1,0 +1,75 @@
+#!/usr/bin/python3
+"""~load puts another paper in the place of this one; ~reset then gives that one again."""
+
+import os
+import shutil
+import tempfile
+
+import rospy
+import rostest
+
+from origami_client import NodeTest, line
+
+STEP = 1.0 / 60
+RECIPE = """
+sheet: {size: [0.1, 0.05], max_edge: 0.02}
+material: {thickness: 2.0e-4}
+steps:
+  - fold: [{line: [[0.05, 0], [0.05, 0.05]], angle_deg: 90}]
+"""
+
+
+class LoadTest(NodeTest):
+    def setUp(self):
+        super(LoadTest, self).setUp()
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.recipe = os.path.join(self.folder, 'recipe.yaml')
+        with open(self.recipe, 'w') as recipe:
+            recipe.write(RECIPE)
+
+    def assertExtent(self, width, height):
+        flat = self.origami.sheet().flat_positions
+        self.assertAlmostEqual(max(p.x for p in flat), width, delta=1e-6)
+        self.assertAlmostEqual(max(p.y for p in flat), height, delta=1e-6)
+
+    def test_a_saved_paper(self):
+        self.origami.do('load', path=self.recipe)
+        self.origami.do('fold', line=line(0, 0, 0.05, 0.05), angle=1.5, duration=0.1)
+        self.origami.do('step', steps=40)
+        before = self.origami.sheet()
+        path = os.path.join(self.folder, 'paper.fold')
+        self.origami.do('save', path=path)
+        loaded = self.origami.do('load', path=path)
+        after = self.origami.sheet()
+        self.assertGreater(loaded.revision, before.revision)
+        self.assertEqual(loaded.revision, after.revision)
+        self.assertEqual(list(loaded.creases), [crease.name for crease in before.creases])
+        self.assertEqual(loaded.vertices, len(after.flat_positions))
+        self.assertEqual(loaded.triangles, len(after.triangles))
+        self.assertExtent(0.1, 0.05)
+
+    def test_the_sheet_of_a_recipe(self):
+        time = self.origami.do('step', steps=1).time
+        loaded = self.origami.do('load', path=self.recipe)
+        self.assertEqual(loaded.vertices, len(self.origami.sheet().flat_positions))
+        self.assertExtent(0.1, 0.05)
+        self.assertEqual(self.origami.last_edit('load').path, self.recipe)
+        later = self.origami.do('step', steps=10).time
+        self.assertAlmostEqual(later, time + 10 * STEP, delta=1e-9)
+        self.assertEqual(len(self.origami.state().creases), 0, 'its steps are not run')
+
+    def test_reset_gives_the_loaded_paper(self):
+        loaded = self.origami.do('load', path=self.recipe)
+        self.origami.do('fold', line=line(0.05, 0, 0.05, 0.05), angle=1)
+        self.origami.do('step', steps=5)
+        self.origami.do('reset')
+        state = self.origami.state()
+        self.assertEqual((len(state.positions), len(state.creases)), (loaded.vertices, 0))
+        self.assertEqual(max(abs(p.z) for p in state.positions), 0)
+        self.assertGreater(state.revision, loaded.revision + 1)
+
+
+if __name__ == '__main__':
+    rospy.init_node('load_test')
+    rostest.rosrun('shell_origami', 'load_test', LoadTest)

@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+"""A bad parameter stops the start with one sentence that names it and its value."""
+
+import signal
+import subprocess
+import unittest
+
+import roslib.packages
+import rospy
+import rostest
+
+NAME = '/refused'
+
+# Parameter, value, and words that the sentence must hold.
+REFUSALS = [
+    ('sheet/width', -0.1, ['sheet/width', '-0.1']),
+    ('sheet/height', 0, ['sheet/height', '0']),
+    ('sheet/max_edge', float('nan'), ['sheet/max_edge', 'nan']),
+    ('sheet/max_edge', 1e-6, ['1e-06']),
+    ('material/thickness', 'thin', ['material/thickness', 'thin', 'number']),
+    ('material/thickness', '1e-4', ['material/thickness', '1.0e-4']),
+    ('material/thickness', -1, ['material/thickness', '-1']),
+    ('material/youngs_modulus', 0.0, ['material/youngs_modulus', '0']),
+    ('material/poisson_ratio', 0.5, ['material/poisson_ratio', '0.5']),
+    ('material/density', float('inf'), ['material/density', 'inf']),
+    ('material/crease_stiffness', -1.0, ['material/crease_stiffness', '-1']),
+    ('material/air_damping', -1.0, ['material/air_damping', '-1']),
+    ('material/youngs_modulsu', 2e9, ['material/youngs_modulsu']),
+    ('material', 5, ['~material', '5']),
+    ('gravity', -9.81, ['gravity', '-9.81', 'three']),
+    ('gravity', [0, 0], ['gravity', 'three']),
+    ('gravity', [0, 0, 'down'], ['gravity', 'down']),
+    ('solver/integrator', 'runge_kutta', ['solver/integrator', 'runge_kutta', 'newmark']),
+    ('solver/time_step', 0, ['solver/time_step', '0']),
+    ('solver/tolerance', -1e-3, ['solver/tolerance', '-0.001']),
+    ('solver/max_iterations', 2.5, ['solver/max_iterations', '2.5', 'integer']),
+    ('solver/max_iterations', 0, ['solver/max_iterations', '0']),
+    ('fold_duration', -1, ['fold_duration', '-1']),
+    ('publish_rate', 0, ['publish_rate', '0']),
+    ('world_frame', '', ['world_frame']),
+    ('world_frame', '/world', ['world_frame', '/world']),
+    ('paused', 'yes', ['paused', 'yes', 'true or false']),
+    ('clock', 'sundial', ['clock', 'sundial', 'follow or lead']),
+    ('clock', 'lead', ['clock', 'lead', 'use_sim_time']),
+    ('real_time_factor', -1, ['real_time_factor', '-1']),
+    ('recipe', 'no_such_recipe', ['recipe', 'no_such_recipe']),
+    ('speed', 3, ['speed']),
+]
+
+
+class ParametersTest(unittest.TestCase):
+    def start(self):
+        program = roslib.packages.find_node('shell_origami', 'origami_node')[0]
+        return subprocess.Popen([program, '__name:=' + NAME[1:]], stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, universal_newlines=True)
+
+    def test_bad_values_stop_the_start(self):
+        wrong = []
+        for parameter, value, words in REFUSALS:
+            rospy.set_param(NAME + '/' + parameter, value)
+            node = self.start()
+            try:
+                said, _ = node.communicate(timeout=5)
+            except subprocess.TimeoutExpired:
+                node.kill()
+                said, _ = node.communicate()
+            rospy.delete_param(NAME)
+            fatal = [text for text in said.splitlines() if 'FATAL' in text]
+            if (node.returncode != 1 or len(fatal) != 1 or
+                    not all(word in fatal[0] for word in words)):
+                wrong.append('%s = %s: %s' % (parameter, value, said))
+        self.assertEqual(wrong, [])
+
+    def test_integers_do_for_numbers(self):
+        rospy.set_param(NAME, {'material': {'density': 800}, 'gravity': [0, 0, -10],
+                               'solver': {'max_iterations': 20.0}})
+        node = self.start()
+        rospy.wait_for_service(NAME + '/step', 10)
+        node.send_signal(signal.SIGINT)
+        said, _ = node.communicate(timeout=10)
+        rospy.delete_param(NAME)
+        self.assertEqual(node.returncode, 0, said)
+
+
+if __name__ == '__main__':
+    rospy.init_node('parameters_test')
+    rostest.rosrun('shell_origami', 'parameters_test', ParametersTest)

@@ -1,0 +1,87 @@
+#!/usr/bin/python3
+"""A run that rosbag recorded is drawn exactly as it was live."""
+
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+
+import rosbag
+import roslib.packages
+import rospy
+import rostest
+from visualization_msgs.msg import MarkerArray
+
+from origami_client import NodeTest, Origami, Recorder, line
+
+TOPICS = ['/origami/sheet', '/origami/state', '/origami/edits', '/tf', '/tf_static']
+
+
+def stop(process):
+    process.send_signal(signal.SIGINT)
+    process.wait(10)
+
+
+class ReplayTest(NodeTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.origami = Origami()
+        cls.folder = tempfile.mkdtemp()
+        cls.bag = os.path.join(cls.folder, 'run.bag')
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def record(self):
+        """Two folds, the first before the recording starts, and the markers drawn meanwhile."""
+        live = Recorder('/origami/markers', MarkerArray)
+        self.origami.do('resume')
+        self.origami.do('fold', line=line(0.05, 0, 0.05, 0.15), angle=1.0, duration=0.5)
+        recording = subprocess.Popen(['rosbag', 'record', '-O', self.bag] + TOPICS)
+        rospy.sleep(2)
+        self.origami.do('fold', line=line(0.10, 0, 0.10, 0.15), angle=-1.0, duration=0.5)
+        self.origami.do('pin', vertices=[0])
+        rospy.sleep(1)
+        self.origami.do('pause')
+        rospy.sleep(0.2)
+        stop(recording)
+        return {m.markers[0].header.stamp: m for m in live.all()}
+
+    def replay(self):
+        program = roslib.packages.find_node('shell_origami', 'origami_markers')[0]
+        drawn = Recorder('/replayed/markers', MarkerArray)
+        painter = subprocess.Popen([program, '__name:=replayed'])
+        player = subprocess.Popen(
+            ['rosbag', 'play', '--quiet', '--rate', '2', '--delay', '1', self.bag] +
+            [topic + ':=/replayed' + topic.replace('/origami', '') for topic in TOPICS])
+        self.assertEqual(player.wait(20), 0)
+        rospy.sleep(0.3)
+        stop(painter)
+        return drawn.all()
+
+    def test_replay_looks_like_the_live_run(self):
+        live = self.record()
+        with rosbag.Bag(self.bag) as bag:
+            edits = [m.kind for _, m, _ in bag.read_messages(['/origami/edits'])]
+            sheets = [m for _, m, _ in bag.read_messages(['/origami/sheet'])]
+            states = [m for _, m, _ in bag.read_messages(['/origami/state'])]
+        self.assertEqual(edits, ['reset', 'fold', 'fold', 'pin'])
+        self.assertEqual(len(sheets), 2)
+        self.assertGreater(len(states), 30)
+
+        replayed = self.replay()
+        self.assertGreater(len(replayed), len(states) - 3)
+        for message in replayed:
+            original = live[message.markers[0].header.stamp]
+            self.assertEqual(len(message.markers), len(original.markers))
+            for ours, theirs in zip(message.markers, original.markers):
+                self.assertEqual((ours.ns, ours.action), (theirs.ns, theirs.action))
+                self.assertEqual(ours.points, theirs.points)
+                self.assertEqual(ours.colors, theirs.colors)
+
+
+if __name__ == '__main__':
+    rospy.init_node('replay_test')
+    rostest.rosrun('shell_origami', 'replay_test', ReplayTest)

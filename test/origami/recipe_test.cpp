@@ -1,0 +1,113 @@
+#include "origami/recipe.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+namespace shell_origami {
+namespace {
+
+constexpr const char* kGood = R"(
+sheet: {size: [0.1, 0.12], max_edge: 0.02}
+material: {thickness: 2.0e-4}
+gravity: [0, 0, -1]
+steps:
+  - pin: {points: [[0, 0], [0.1, 0]]}
+  - fold: [{line: [[0, 0.06], [0.1, 0.06]], angle_deg: 90, name: middle}]
+    duration: 0.5
+  - settle: {timeout: 0.2}
+  - unpin: all
+)";
+
+class RecipeTest : public testing::Test {
+ protected:
+  std::string write(const std::string& text) {
+    const std::string path = testing::TempDir() + "/recipe_test.yaml";
+    std::ofstream(path) << text;
+    return path;
+  }
+  std::string refusal(const std::string& text, const Overrides& overrides = {}) {
+    try {
+      loadRecipe(write(text), {}, {}, overrides);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(RecipeTest, SaysWhatItReads) {
+  const Recipe recipe = loadRecipe(write(kGood));
+  EXPECT_EQ(recipe.name, "recipe_test");
+  EXPECT_DOUBLE_EQ(recipe.sheet.height, 0.12);
+  EXPECT_DOUBLE_EQ(recipe.config.material.thickness, 2e-4);
+  EXPECT_DOUBLE_EQ(recipe.config.gravity.z(), -1);
+  ASSERT_EQ(recipe.steps.size(), 4u);
+  const FoldStep& fold = std::get<FoldStep>(recipe.steps[1]);
+  EXPECT_DOUBLE_EQ(fold.duration, 0.5);
+  EXPECT_NEAR(fold.folds[0].angle, M_PI / 2, 1e-15);
+  EXPECT_EQ(fold.folds[0].name, "middle");
+}
+
+TEST_F(RecipeTest, OverridesOneValue) {
+  const Recipe recipe = loadRecipe(write(kGood), {}, {},
+                                   {{"material/thickness", "3e-4"}, {"solver/gamma", "0.9"}});
+  EXPECT_DOUBLE_EQ(recipe.config.material.thickness, 3e-4);
+  EXPECT_DOUBLE_EQ(recipe.config.solver.gamma, 0.9);
+  EXPECT_NE(refusal(kGood, {{"material/thicknes", "1"}}).find("thicknes"), std::string::npos);
+  EXPECT_NE(refusal(kGood, {{"material/thickness", "thin"}}).find("thin"), std::string::npos);
+  EXPECT_NE(refusal(kGood, {{"material/thickness/x", "1"}}).find("material/thickness/x"),
+            std::string::npos);
+}
+
+TEST_F(RecipeTest, RefusesWithTheLineAndTheValue) {
+  const auto expect = [this](const std::string& text, const std::string& part) {
+    const std::string sentence = refusal(text);
+    EXPECT_NE(sentence.find(part), std::string::npos) << text << "\n  said: " << sentence;
+  };
+  expect("sheet: {sise: [1, 1]}", "sise");
+  expect("steps:\n  - fold: [{line: [[0, 0], [1, 1]], angle_deg: 180}]", "line 2: angle_deg 180");
+  expect("steps:\n  - fold: [{line: [[0, 0], [1, 1]]}]", "angle_deg");
+  expect("steps:\n  - fold: [{angle_deg: 10}]", "line or a crease");
+  expect("steps:\n  - fold: [{line: [[0, 0]], angle_deg: 10}]", "two ends");
+  expect("steps:\n  - fold: [{line: [[0, x], [1, 1]], angle_deg: 10}]", "'x'");
+  expect("steps:\n  - fold: [{line: [[0, .nan], [1, 1]], angle_deg: 10}]", "nan");
+  expect("steps:\n  - wave: hello", "wave");
+  expect("steps:\n  - settle: {timeout: -1}", "-1");
+  expect("steps:\n  - {pin: {points: [[0, 0]]}, unpin: all}", "one thing");
+  expect("steps:\n  - unpin: some", "all");
+  expect("steps: 3", "list");
+  expect("material: {thickness: -1}", "-1");
+  expect("solver: {max_iterations: 2.5}", "2.5");
+  expect("gravity: [0, 0]", "3 numbers");
+  expect("sheet: [", "line");
+  expect("just words", "map");
+  EXPECT_THROW(loadRecipe("/nowhere/at_all.yaml"), std::invalid_argument);
+}
+
+TEST_F(RecipeTest, RunnerCarriesItOut) {
+  RecipeRunner runner(loadRecipe(write(kGood)));
+  Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config);
+  double last_progress = 0;
+  bool was_pinned = false;
+  while (runner.update(simulation)) {
+    ASSERT_TRUE(simulation.step().converged);
+    ASSERT_LT(simulation.time(), 2);
+    const double progress = runner.progress(simulation);
+    EXPECT_GE(progress, last_progress);
+    last_progress = progress;
+    was_pinned |= simulation.pinned().size() == 2;
+  }
+  EXPECT_TRUE(was_pinned);
+  EXPECT_TRUE(simulation.pinned().empty());
+  EXPECT_TRUE(runner.finished());
+  EXPECT_DOUBLE_EQ(runner.progress(simulation), 1);
+  ASSERT_EQ(simulation.creases().size(), 1u);
+  EXPECT_EQ(simulation.creases()[0].name, "middle");
+  EXPECT_NEAR(simulation.creases()[0].rest_angle, M_PI / 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace shell_origami

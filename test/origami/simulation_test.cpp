@@ -1,0 +1,252 @@
+#include "origami/simulation.h"
+
+#include "sheet/triangulate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace shell_origami {
+namespace {
+
+constexpr double kSide = 0.15;
+constexpr double kDegree = M_PI / 180;
+
+Simulation square(const SimulationConfig& config = {}, double max_edge = 0.02) {
+  return Simulation(Sheet(triangulateRectangle(kSide, kSide, max_edge)), config);
+}
+
+FoldRequest diagonal(double angle, double duration = 0.5) {
+  FoldRequest request;
+  request.where = Line{Vector2(0, 0), Vector2(kSide, kSide)};
+  request.angle = angle;
+  request.duration = duration;
+  return request;
+}
+
+void settle(Simulation& simulation, double timeout = 10) {
+  const double end = simulation.time() + timeout;
+  do {
+    const StepReport report = simulation.step();
+    ASSERT_TRUE(report.converged) << report.failure;
+  } while (simulation.time() < end && !simulation.settled());
+}
+
+class FoldAngle : public testing::TestWithParam<double> {};
+
+TEST_P(FoldAngle, OneCreaseComesToRestAtItsTarget) {
+  Simulation simulation = square();
+  simulation.fold(diagonal(GetParam() * kDegree));
+  settle(simulation);
+  EXPECT_TRUE(simulation.settled());
+  const CreaseStatus crease = simulation.creases()[0];
+  // Creases rest at 179 degrees at most. Settled paper may still swing by a part of a degree.
+  const double expected = std::copysign(std::min(std::abs(GetParam()), 179.0), GetParam());
+  EXPECT_NEAR(crease.angle / kDegree, expected, 0.3);
+  EXPECT_LT(simulation.maxStrain(), 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Angles, FoldAngle,
+                         testing::Values(30, -30, 90, -90, 150, -170, 170, 179, 179.9));
+
+TEST(Simulation, AFoldAskedForAtOnceArrivesToo) {
+  for (const double duration : {0.0, 0.01}) {
+    Simulation simulation = square();
+    simulation.fold(diagonal(170 * kDegree, duration));
+    settle(simulation);
+    EXPECT_NEAR(simulation.creases()[0].angle / kDegree, 170, 0.3);
+  }
+}
+
+TEST(Simulation, RampRunsFromThePresentRestAngle) {
+  Simulation simulation = square();
+  simulation.fold(diagonal(90 * kDegree));
+  settle(simulation);
+  simulation.fold(diagonal(-90 * kDegree, 1));
+  EXPECT_NEAR(simulation.creases()[0].rest_angle / kDegree, 90, 1e-9);
+  EXPECT_EQ(simulation.creases().size(), 1u);
+  settle(simulation);
+  EXPECT_NEAR(simulation.creases()[0].angle / kDegree, -90, 0.3);
+}
+
+TEST(Simulation, InterruptedRampGoesOnFromWhereItIs) {
+  Simulation simulation = square();
+  simulation.fold(diagonal(120 * kDegree, 1));
+  for (int i = 0; i < 30; ++i) simulation.step();
+  const double halfway = simulation.creases()[0].rest_angle;
+  EXPECT_NEAR(halfway / kDegree, 60, 0.5);  // half of a smooth step
+  simulation.fold(diagonal(0, 1));
+  EXPECT_DOUBLE_EQ(simulation.creases()[0].rest_angle, halfway);
+}
+
+TEST(Simulation, SameCallsGiveTheSameBits) {
+  const auto run = [] {
+    Simulation simulation = square();
+    simulation.pin(Region{{{0, 0}, {0.03, 0}, {0.03, 0.03}}});
+    simulation.fold(diagonal(160 * kDegree));
+    for (int i = 0; i < 40; ++i) simulation.step();
+    FoldRequest second = diagonal(-60 * kDegree);
+    second.where = Line{Vector2(0.02, 0.12), Vector2(0.14, 0.05)};
+    simulation.fold(second);
+    for (int i = 0; i < 40; ++i) simulation.step();
+    return simulation.positions();
+  };
+  const Positions a = run(), b = run();
+  ASSERT_EQ(a.cols(), b.cols());
+  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0);
+}
+
+TEST(Simulation, PinnedVerticesDoNotMoveByABit) {
+  SimulationConfig config;
+  config.gravity = {0, 0, -9.81};
+  Simulation simulation = square(config);
+  const std::vector<int> held = simulation.pin(Region{{{0, 0}, {kSide, 0}, {kSide, 0.001}}});
+  EXPECT_GE(held.size(), 8u);
+  const Positions before = simulation.positions();
+  simulation.fold(diagonal(100 * kDegree));
+  for (int i = 0; i < 60; ++i) ASSERT_TRUE(simulation.step().converged);
+  for (int v : held) EXPECT_EQ(simulation.positions().col(v), before.col(v));
+  EXPECT_LT(simulation.positions().row(2).minCoeff(), -0.01);
+  EXPECT_EQ(simulation.unpin(), held);
+  EXPECT_TRUE(simulation.pinned().empty());
+}
+
+TEST(Simulation, FloatingPaperKeepsItsCentreWhileItFolds) {
+  SimulationConfig config;
+  config.material.air_damping = 0;
+  config.solver.tolerance = 1e-8;
+  Simulation simulation = square(config);
+  simulation.fold(diagonal(120 * kDegree));
+  const auto centre = [&simulation] {
+    const Shell shell(simulation.sheet(), simulation.config().material, Vector3::Zero());
+    return Vector3(simulation.positions() * shell.masses() / shell.masses().sum());
+  };
+  const Vector3 before = centre();
+  for (int i = 0; i < 60; ++i) simulation.step();
+  EXPECT_LT((centre() - before).norm(), 1e-9 * kSide);
+}
+
+TEST(Simulation, FallingPaperFollowsGravityAndAir) {
+  SimulationConfig config;
+  config.gravity = {0, 0, -9.81};
+  config.material.air_damping = 4;
+  config.solver.time_step = 1e-3;
+  Simulation simulation = square(config);
+  for (int i = 0; i < 500; ++i) simulation.step();
+  // z = -g/c (t - (1 - exp(-c t)) / c)
+  const double c = 4, t = simulation.time();
+  const double expected = -9.81 / c * (t - (1 - std::exp(-c * t)) / c);
+  EXPECT_NEAR(simulation.positions().row(2).mean() / expected, 1, 2e-3);
+  EXPECT_LT(simulation.maxStrain(), 1e-9);
+}
+
+TEST(Simulation, EditsOnBentPaperKeepItsShape) {
+  Simulation simulation = square();
+  simulation.fold(diagonal(100 * kDegree));
+  settle(simulation);
+  const double energy = simulation.energies().membrane + simulation.energies().bending;
+  FoldRequest second;
+  second.where = Line{Vector2(0, 0.04), Vector2(kSide, 0.1)};
+  second.angle = 1;
+  simulation.fold(second);
+  simulation.sheet().validate();
+  const double after = simulation.energies().membrane + simulation.energies().bending;
+  EXPECT_LT(simulation.maxStrain(), 1e-4);
+  EXPECT_LT(std::abs(after - energy), 1e-6);  // the fold itself stores 1e-3 J
+}
+
+TEST(Simulation, RefusedEditsChangeNothing) {
+  Simulation simulation = square();
+  simulation.fold(diagonal(1));
+  for (int i = 0; i < 5; ++i) simulation.step();
+  const Positions before = simulation.positions();
+  const std::uint32_t revision = simulation.sheet().revision();
+  const double nan = std::nan("");
+  std::vector<FoldRequest> bad;
+  for (const double angle : {M_PI, -M_PI, 4.0, nan, HUGE_VAL}) bad.push_back(diagonal(angle));
+  for (const double duration : {-1.0, nan, HUGE_VAL}) bad.push_back(diagonal(1, duration));
+  for (const double stiffness : {0.0, -1.0, nan}) {
+    bad.push_back(diagonal(1));
+    bad.back().stiffness = stiffness;
+  }
+  bad.push_back(diagonal(1));
+  bad.back().where = CreaseName{"nobody"};
+  for (const std::array<std::int64_t, 2>& pair :
+       {std::array<std::int64_t, 2>{0, 0}, {0, 100000}, {-1, 3}, {0, 4294967295}}) {
+    bad.push_back(diagonal(1));
+    bad.back().where = VertexPair{pair};
+  }
+  bad.push_back(diagonal(1));
+  bad.back().where = Line{Vector2(0, 0), Vector2(1, 1)};
+  for (const FoldRequest& request : bad) {
+    EXPECT_THROW(simulation.fold(request), std::invalid_argument);
+  }
+  EXPECT_THROW(simulation.pin(std::vector<std::int64_t>{-1}), std::invalid_argument);
+  EXPECT_THROW(simulation.pin(std::vector<std::int64_t>{}), std::invalid_argument);
+  EXPECT_THROW(simulation.pin(std::vector<Vector2>{{9, 9}}), std::invalid_argument);
+  EXPECT_THROW(simulation.pin(Region{{{0, 0}, {1, 1}}}), std::invalid_argument);
+  EXPECT_THROW(simulation.pin(Ball{{0, 0, 0}, -1}), std::invalid_argument);
+  EXPECT_THROW(simulation.pin(Ball{{0, 0, 9}, 0.1}), std::invalid_argument);
+  EXPECT_THROW(simulation.unpin({3}), std::invalid_argument);
+  EXPECT_THROW(simulation.addVertex(0, 1000, 0.5), std::invalid_argument);
+  EXPECT_EQ(simulation.positions(), before);
+  EXPECT_EQ(simulation.sheet().revision(), revision);
+  EXPECT_TRUE(simulation.pinned().empty());
+  EXPECT_EQ(simulation.takeEdits().size(), 1u);
+}
+
+TEST(Simulation, RefusesAConfigThatMakesNoSense) {
+  const auto refuses = [](const auto& change) {
+    SimulationConfig config;
+    change(config);
+    EXPECT_THROW(square(config), std::invalid_argument);
+  };
+  refuses([](auto& c) { c.material.thickness = 0; });
+  refuses([](auto& c) { c.material.youngs_modulus = std::nan(""); });
+  refuses([](auto& c) { c.material.poisson_ratio = 0.5; });
+  refuses([](auto& c) { c.material.density = -1; });
+  refuses([](auto& c) { c.solver.time_step = 0; });
+  refuses([](auto& c) { c.solver.gamma = 0.4; });
+  refuses([](auto& c) { c.solver.max_iterations = 0; });
+  refuses([](auto& c) { c.gravity.x() = HUGE_VAL; });
+  refuses([](auto& c) { c.fold_duration = -1; });
+}
+
+TEST(Simulation, APiecePartOfACreaseKeepsItsRamp) {
+  Simulation simulation = square();
+  simulation.fold(diagonal(90 * kDegree));
+  settle(simulation);
+  FoldRequest tip = diagonal(-90 * kDegree);
+  tip.where = Line{Vector2(0.1, 0.1), Vector2(kSide, kSide)};
+  tip.name = "tip";
+  simulation.fold(tip);
+  ASSERT_EQ(simulation.creases().size(), 2u);
+  for (const CreaseStatus& crease : simulation.creases()) {
+    EXPECT_NEAR(crease.rest_angle / kDegree, 90, 1e-9);
+    EXPECT_NEAR(crease.target_angle / kDegree, crease.name == "tip" ? -90 : 90, 1e-9);
+  }
+}
+
+TEST(Simulation, EveryEditIsOnRecord) {
+  Simulation simulation = square();
+  simulation.fold(diagonal(1));
+  simulation.step();
+  simulation.pin(std::vector<std::int64_t>{3, 2});
+  simulation.unpin({3});
+  const Edge edge = simulation.sheet().edges()[0];
+  simulation.addVertex(edge.vertices[0], edge.vertices[1], 0.5);
+  const std::vector<EditRecord> edits = simulation.takeEdits();
+  ASSERT_EQ(edits.size(), 4u);
+  EXPECT_EQ(edits[0].kind, EditRecord::kFold);
+  EXPECT_EQ(edits[0].step, 0u);
+  EXPECT_EQ(edits[1].kind, EditRecord::kPin);
+  EXPECT_EQ(edits[1].step, 1u);
+  EXPECT_EQ(edits[1].vertices, (std::vector<int>{2, 3}));
+  EXPECT_EQ(edits[2].vertices, (std::vector<int>{3}));
+  EXPECT_EQ(edits[3].revision, simulation.sheet().revision());
+  EXPECT_TRUE(simulation.takeEdits().empty());
+}
+
+}  // namespace
+}  // namespace shell_origami

@@ -1,0 +1,526 @@
+#include "sheet/fold_file.h"
+#include "sheet/triangulate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+namespace shell_origami {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::string patternPath(const std::string& name) {
+  const auto folder = std::filesystem::path(__FILE__).parent_path().parent_path() / "data";
+  return (folder / "patterns" / (name + ".fold")).string();
+}
+
+std::string scratch(const std::string& text) {
+  const std::string path = testing::TempDir() + "shell_origami_fold_file_test.fold";
+  std::ofstream(path) << text;
+  return path;
+}
+
+FoldPaper read(const json& document, double scale = 1, double max_edge = 0) {
+  return readFold(scratch(document.dump()), {scale, max_edge});
+}
+
+/// The sentence a file is refused with; empty when it is read.
+std::string fileRefusal(const std::string& path, const FoldReadOptions& options = {1, 0}) {
+  try {
+    readFold(path, options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string refusal(const json& document) { return fileRefusal(scratch(document.dump())); }
+
+void expectWithin(const std::string& sentence, const std::string& part) {
+  EXPECT_NE(sentence.find(part), std::string::npos) << "'" << sentence << "' lacks '" << part << "'";
+}
+
+/// A unit square with a valley from corner 0 to corner 2.
+json diagonal() {
+  return {{"vertices_coords", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
+          {"edges_vertices", {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}}},
+          {"edges_assignment", {"B", "B", "B", "B", "V"}},
+          {"faces_vertices", {{0, 1, 2}, {0, 2, 3}}}};
+}
+
+/// A square of 2 x 2 units with its middle as vertex 8, border 0 .. 7, and four creases.
+json cross() {
+  return {{"vertices_coords",
+           {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}, {1, 1}}},
+          {"edges_vertices",
+           {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 7}, {7, 0},
+            {1, 8}, {8, 5}, {8, 3}, {7, 8}}},
+          {"edges_assignment", {"B", "B", "B", "B", "B", "B", "B", "B", "M", "M", "M", "V"}}};
+}
+
+double area(const FoldPaper& paper) { return paper.sheet.area(); }
+
+TEST(ReadFold, everyTestPatternLoadsAtEveryFineness) {
+  const struct {
+    const char* name;
+    double area;
+    int mountains, valleys;  // crease lines
+  } patterns[] = {{"01_diagonal-cp", 1, 0, 1},          {"10_house-cp", 1, 4, 6},
+                  {"12_kabuto-cp", 1, 9, 8},            {"15_crane-cp", 1, 32, 24},
+                  {"16_miura-cp", 1, 60, 60},           {"17_bad-twist-UNSAT", 1, 4, 8},
+                  {"30_os-simpleVertex", 1, 3, 1},      {"31_os-mapfold", 0.734236352, 3, 4},
+                  {"32_os-squareBase", 1, 2, 1},        {"34_os-birdBase", 1, 10, 6},
+                  {"36_os-traditionalCrane", 1, 62, 47}, {"41_os-curvedPleatSimple", 1, 1, 1}};
+  for (const auto& pattern : patterns) {
+    for (const double max_edge : {0.0, 0.02, 0.007}) {
+      SCOPED_TRACE(testing::Message() << pattern.name << " at " << max_edge);
+      const FoldPaper paper = readFold(patternPath(pattern.name), {0.15, max_edge});
+      EXPECT_NO_THROW(paper.sheet.validate());
+      EXPECT_NEAR(area(paper), pattern.area * 0.0225, 1e-5);
+      EXPECT_FALSE(paper.positions);
+      ASSERT_EQ(paper.pattern_angles.size(), paper.sheet.creases().size());
+      const auto& angles = paper.pattern_angles;
+      EXPECT_EQ(std::count_if(angles.begin(), angles.end(), [](double a) { return a < 0; }),
+                pattern.mountains);
+      EXPECT_EQ(std::count_if(angles.begin(), angles.end(), [](double a) { return a > 0; }),
+                pattern.valleys);
+      for (const Edge& edge : paper.sheet.edges()) {
+        const auto [a, b] = edge.vertices;
+        const auto& p = paper.sheet.flatPositions();
+        if (max_edge > 0) {
+          EXPECT_LE((p[a] - p[b]).norm(), max_edge * (1 + 1e-9));
+        }
+      }
+    }
+  }
+}
+
+TEST(ReadFold, creaseLengthDoesNotDependOnFineness) {
+  for (const char* name : {"15_crane-cp", "34_os-birdBase", "41_os-curvedPleatSimple"}) {
+    std::vector<double> lengths;
+    for (const double max_edge : {0.0, 0.05, 0.01}) {
+      const Sheet sheet = readFold(patternPath(name), {0.15, max_edge}).sheet;
+      double length = 0;
+      for (const Edge& edge : sheet.edges()) {
+        const auto [a, b] = edge.vertices;
+        if (edge.crease >= 0) length += (sheet.flatPositions()[a] - sheet.flatPositions()[b]).norm();
+      }
+      lengths.push_back(length);
+    }
+    EXPECT_NEAR(lengths[0], lengths[1], 1e-9) << name;
+    EXPECT_NEAR(lengths[0], lengths[2], 1e-9) << name;
+  }
+}
+
+TEST(ReadFold, aFoldedFormAloneIsRefused) {
+  const std::string sentence = fileRefusal(patternPath("03_squaretwist-rigid-3d"));
+  expectWithin(sentence, "03_squaretwist-rigid-3d.fold: holds only a folded form");
+}
+
+TEST(ReadFold, groupsEdgesIntoStraightLines) {
+  const FoldPaper paper = read(cross());
+  ASSERT_EQ(paper.sheet.creases().size(), 3u);
+  // Two mountains in a row are one line; a mountain and a valley in a row are two.
+  EXPECT_EQ(paper.sheet.creases()[0].vertices, (std::vector<int>{1, 8, 5}));
+  EXPECT_EQ(paper.sheet.creases()[1].vertices, (std::vector<int>{8, 3}));
+  EXPECT_EQ(paper.sheet.creases()[2].vertices, (std::vector<int>{7, 8}));
+  EXPECT_EQ(paper.sheet.creases()[0].name, "crease_0");
+  EXPECT_EQ(paper.sheet.creases()[2].name, "crease_2");
+  EXPECT_EQ(paper.sheet.creases()[2].id, 2u);
+  EXPECT_EQ(paper.pattern_angles, (std::vector<double>{-M_PI, -M_PI, M_PI}));
+  EXPECT_EQ(paper.sheet.vertexCount(), 9);
+}
+
+TEST(ReadFold, anglesAreInDegreesAndNullIsFree) {
+  json document = cross();
+  document["edges_foldAngle"] = {0, 0, 0, 0, 0, 0, 0, 0, -45, -90, nullptr, 30};
+  const FoldPaper paper = read(document);
+  ASSERT_EQ(paper.pattern_angles.size(), 4u);  // -45 and -90 are no longer one line
+  EXPECT_NEAR(paper.pattern_angles[0], -M_PI / 4, 1e-15);
+  EXPECT_NEAR(paper.pattern_angles[1], -M_PI / 2, 1e-15);
+  EXPECT_TRUE(std::isnan(paper.pattern_angles[2]));
+  EXPECT_NEAR(paper.pattern_angles[3], M_PI / 6, 1e-15);
+
+  document["edges_foldAngles"] = document["edges_foldAngle"];  // its name in FOLD 1.0
+  document.erase("edges_foldAngle");
+  EXPECT_NEAR(read(document).pattern_angles[0], -M_PI / 4, 1e-15);
+}
+
+TEST(ReadFold, flatAndUnassignedEdges) {
+  json document = cross();
+  document["edges_assignment"] = {"B", "B", "B", "B", "B", "B", "B", "B", "F", "J", "U", "U"};
+  const FoldPaper paper = read(document);
+  ASSERT_EQ(paper.sheet.creases().size(), 1u);  // flat ones are none, unassigned ones are free
+  EXPECT_EQ(paper.sheet.creases()[0].vertices, (std::vector<int>{7, 8, 3}));
+  EXPECT_TRUE(std::isnan(paper.pattern_angles[0]));
+  // Without assignments the signs of the angles tell.
+  document.erase("edges_assignment");
+  document["edges_foldAngle"] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -10, 10};
+  document["faces_vertices"] = {{0, 1, 8, 7}, {1, 2, 3, 8}, {8, 3, 4, 5}, {7, 8, 5, 6}};
+  const FoldPaper signs = read(document);
+  ASSERT_EQ(signs.sheet.creases().size(), 2u);
+  EXPECT_NEAR(signs.pattern_angles[1], M_PI / 18, 1e-15);
+}
+
+TEST(ReadFold, unitsAndScale) {
+  json document = diagonal();
+  document["frame_unit"] = "cm";
+  EXPECT_NEAR(area(read(document, 0)), 1e-4, 1e-18);
+  document["frame_unit"] = "in";
+  EXPECT_NEAR(area(read(document, 0)), 0.0254 * 0.0254, 1e-15);
+  document["frame_unit"] = "pt";
+  EXPECT_NEAR(area(read(document, 0)), std::pow(0.0254 / 72, 2), 1e-18);
+  EXPECT_NEAR(area(read(document, 0.1)), 0.01, 1e-15);  // a scale given goes before the unit
+  document["frame_unit"] = "unit";
+  expectWithin(fileRefusal(scratch(document.dump()), {0, 0}), "give a scale");
+  document.erase("frame_unit");
+  expectWithin(fileRefusal(scratch(document.dump()), {0, 0}), "give a scale");
+  expectWithin(fileRefusal(scratch(document.dump()), {-1, 0}), "scale is -1");
+  expectWithin(fileRefusal(scratch(document.dump()), {kNan, 0}), "scale is nan");
+  expectWithin(fileRefusal(scratch(document.dump()), {1, -1}), "max_edge is -1");
+  expectWithin(fileRefusal(scratch(document.dump()), {1, kNan}), "max_edge is nan");
+}
+
+TEST(ReadFold, theSheetMayLieInAnyPlane) {
+  // The faces tell which side is up: in the xz plane (x, z) as they stand, seen from -y.
+  const double s = std::sqrt(0.5);
+  const json planes[] = {
+      {{0, 0, 5}, {2, 0, 5}, {2, 1, 5}, {0, 1, 5}},                // xy
+      {{0, 5, 0}, {2, 5, 0}, {2, 5, 1}, {0, 5, 1}},                // xz, faces seen from -y
+      {{0, 5, 0}, {2, 5, 0}, {2, 5, -1}, {0, 5, -1}},              // xz, from +y
+      {{5, 0, 0}, {5, 2, 0}, {5, 2, 1}, {5, 0, 1}},                // yz
+      {{0, 0, 0}, {2, 0, 0}, {2, s, s}, {0, s, s}}};               // tilted about x
+  for (const json& coordinates : planes) {
+    SCOPED_TRACE(coordinates.dump());
+    json document = diagonal();
+    document["vertices_coords"] = coordinates;
+    const FoldPaper paper = read(document);
+    EXPECT_NEAR(area(paper), 2, 1e-12);
+    const auto& p = paper.sheet.flatPositions();
+    EXPECT_GT(doubleArea(p[0], p[1], p[2]), 0);  // not mirrored
+    EXPECT_NEAR((p[1] - p[0]).norm(), 2, 1e-12);
+  }
+}
+
+TEST(ReadFold, facesInAnyOrderAndNumberOfCorners) {
+  json document = cross();
+  document["faces_vertices"] = {{7, 8, 1, 0}, {1, 2, 3, 8}, {5, 4, 3, 8}, {7, 8, 5, 6}};
+  EXPECT_EQ(read(document).sheet.triangles().size(), 8u);
+  document = diagonal();
+  document["faces_vertices"] = {{2, 1, 0}, {0, 2, 3}};
+  EXPECT_EQ(read(document).sheet.triangles().size(), 2u);
+  // Without assignments the border is what has one face.
+  document["edges_assignment"] = {"U", "U", "U", "U", "V"};
+  const FoldPaper paper = read(document);
+  ASSERT_EQ(paper.sheet.creases().size(), 1u);
+  EXPECT_EQ(paper.pattern_angles[0], M_PI);
+  // Faces alone are a sheet without creases.
+  document.erase("edges_assignment");
+  document.erase("edges_vertices");
+  EXPECT_EQ(read(document).sheet.creases().size(), 0u);
+}
+
+TEST(ReadFold, unusedAndDoubleVerticesAreDropped) {
+  json document = diagonal();
+  document["vertices_coords"] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {7, 7}, {1, 1}, {0.3, 0.2}};
+  document["edges_vertices"] = {{0, 1}, {1, 2}, {5, 3}, {3, 0}, {0, 5}, {2, 0}};
+  document["edges_assignment"] = {"B", "B", "B", "B", "V", "V"};
+  const FoldPaper paper = read(document);
+  EXPECT_EQ(paper.sheet.vertexCount(), 4);
+  EXPECT_EQ(paper.sheet.creases().size(), 1u);
+}
+
+TEST(ReadFold, holesStayOpen) {
+  json document = {
+      {"vertices_coords",
+       {{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}}},
+      {"edges_vertices",
+       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {2, 6}}},
+      {"edges_assignment", {"B", "B", "B", "B", "B", "B", "B", "B", "M", "C"}}};
+  document["edges_assignment"][9] = "V";
+  EXPECT_NEAR(area(read(document)), 8, 1e-12);
+  EXPECT_NEAR(area(read(document, 1, 0.2)), 8, 1e-12);
+  // A crease across the hole lies on nothing.
+  document["edges_vertices"].push_back({4, 6});
+  document["edges_assignment"].push_back("M");
+  expectWithin(refusal(document), "edges_vertices[10] from vertex 4 to 6 lies off the paper");
+}
+
+TEST(ReadFold, cutsAreBorderOnlyWhereTheyCanBe) {
+  json document = diagonal();
+  document["edges_assignment"] = {"B", "C", "B", "B", "V"};
+  EXPECT_NEAR(area(read(document)), 1, 1e-12);
+  document["edges_assignment"] = {"B", "B", "B", "B", "C"};
+  expectWithin(refusal(document), "edges_vertices[4] from vertex 0 to 2 is a cut");
+  document.erase("faces_vertices");
+  expectWithin(refusal(document), "meets itself at vertex 0");
+}
+
+TEST(ReadFold, thePatternMayBeALaterFrame) {
+  // The key frame is a tent; its pattern inherits everything else.
+  json document = diagonal();
+  json pattern = {{"frame_inherit", true}, {"frame_classes", json::array({"creasePattern"})},
+                  {"vertices_coords", document["vertices_coords"]}};
+  document["vertices_coords"] = {{0, 0, 0}, {0.5, 0.5, 0.7071067811865476},
+                                 {1, 1, 0}, {0, 1, 0}};
+  document["frame_classes"] = json::array({"foldedForm"});
+  document["file_frames"] = json::array({pattern});
+  const FoldPaper paper = read(document);
+  EXPECT_NEAR(area(paper), 1, 1e-12);
+  ASSERT_TRUE(paper.positions);
+  EXPECT_EQ(paper.positions->col(1), Vector3(0.5, 0.5, 0.7071067811865476));
+  // The flap of corner 1 stands upright over the diagonal: a valley of 90 degrees, measured.
+  ASSERT_EQ(paper.rest_angles.size(), 1u);
+  EXPECT_NEAR(paper.rest_angles[0], M_PI / 2, 1e-9);
+  // A finer mesh has other vertices: it starts flat.
+  EXPECT_FALSE(read(document, 1, 0.3).positions);
+}
+
+TEST(ReadFold, aFlatFoldedFormIsNoPlaceToStartFrom) {
+  json document = diagonal();
+  document["file_frames"] = json::array(
+      {{{"frame_inherit", true}, {"frame_classes", json::array({"foldedForm"})},
+        {"vertices_coords", {{0, 0}, {0, 1}, {1, 1}, {0, 1}}}}});
+  document["frame_classes"] = json::array({"creasePattern"});
+  EXPECT_FALSE(read(document).positions);
+}
+
+TEST(ReadFold, refusesWhatIsNoPattern) {
+  expectWithin(fileRefusal("/nowhere/x.fold"), "/nowhere/x.fold: cannot be read: No such file");
+  expectWithin(fileRefusal("/tmp"), "folder");
+  expectWithin(fileRefusal(scratch("{\"a\": 1,\n\n \"b\": nope}")), "is not JSON from line 3");
+  expectWithin(fileRefusal(scratch("")), "is not JSON from line 1");
+  expectWithin(fileRefusal(scratch("{\"a\": 1e999}")), "is not JSON that can be read");
+  expectWithin(fileRefusal(scratch("{\"a\": NaN}")), "is not JSON");
+  expectWithin(fileRefusal(scratch("[1, 2]")), "no object");
+  expectWithin(fileRefusal(scratch("{}")), "holds no vertices_coords");
+  expectWithin(fileRefusal(scratch(std::string(100000, '['))), "is not JSON");
+}
+
+TEST(ReadFold, namesTheEntryThatIsWrong) {
+  const struct {
+    const char* pointer;
+    json value;
+    const char* sentence;
+  } cases[] = {
+      {"/vertices_coords/2", {1}, "vertices_coords[2] is [1], not two or three numbers"},
+      {"/vertices_coords/2/0", nullptr, "vertices_coords[2] is null, not a number"},
+      {"/vertices_coords/2/0", 1e300, "vertices_coords[2]"},
+      {"/vertices_coords", 7, "vertices_coords is no list"},
+      {"/edges_vertices/4", {0, 9}, "edges_vertices[4] names vertex 9, but there are 4"},
+      {"/edges_vertices/4", {0, -1}, "edges_vertices[4] names vertex -1"},
+      {"/edges_vertices/4", {0, 1.5}, "edges_vertices[4] holds 1.5, not a vertex"},
+      {"/edges_vertices/4", {0, 4294967296}, "edges_vertices[4] names vertex 4294967296"},
+      {"/edges_vertices/4", {0, 18446744073709551615u}, "names vertex 18446744073709551615"},
+      {"/edges_vertices/4", {0}, "edges_vertices[4] is [0], not a pair"},
+      {"/edges_vertices/4", {2, 2}, "edges_vertices[4] has no length"},
+      {"/edges_vertices/4", {0, 1}, "edges_vertices[0] and edges_vertices[4] join the same"},
+      {"/edges_assignment/4", "X", "edges_assignment[4] is \"X\", not one of"},
+      {"/edges_assignment/4", 3, "edges_assignment[4] is 3, not one of"},
+      {"/edges_assignment", {"B"}, "edges_assignment has 1 entries for 5 edges"},
+      {"/edges_foldAngle", {1, 2}, "edges_foldAngle has 2 entries for 5 edges"},
+      {"/edges_foldAngle", {0, 0, 0, 0, 181}, "edges_foldAngle[4] is 181"},
+      {"/edges_foldAngle", {0, 0, 0, 0, -90}, "edges_vertices[4] is assigned V"},
+      {"/faces_vertices/1", {0, 2}, "faces_vertices[1] is no list of at least 3 vertices"},
+      {"/faces_vertices/1", {0, 2, 8}, "faces_vertices[1] names vertex 8"},
+      {"/faces_vertices/1", {0, 2, 2}, "faces_vertices[1] has no area"},
+      {"/faces_vertices/2", {0, 2, 1}, "more than two faces"},
+      {"/file_frames", 1, "file_frames is no list"},
+      {"/file_frames/0", 1, "file_frames[0] is no object"},
+      {"/shell_origami:creases", {1}, "shell_origami:creases[0] has no id"}};
+  for (const auto& [pointer, value, sentence] : cases) {
+    json document = diagonal();
+    if (std::string(pointer) == "/file_frames/0") document["file_frames"] = json::array();
+    const json::json_pointer at(pointer);
+    document[at] = value;
+    expectWithin(refusal(document), sentence);
+  }
+}
+
+TEST(ReadFold, refusesImpossibleSheets) {
+  json document = cross();
+  document["edges_vertices"].push_back({0, 4});  // through vertex 8
+  document["edges_assignment"].push_back("M");
+  expectWithin(refusal(document), "cross or touch");
+  document = diagonal();
+  document["edges_vertices"].push_back({1, 3});
+  document["edges_assignment"].push_back("M");
+  document.erase("faces_vertices");
+  expectWithin(refusal(document),
+               "edges_vertices[4] from vertex 0 to 2 and edges_vertices[5] from vertex 1 to 3");
+  document = diagonal();
+  document["edges_assignment"] = {"M", "M", "M", "M", "V"};
+  document.erase("faces_vertices");
+  expectWithin(refusal(document), "has no outline");
+  document["edges_assignment"] = {"B", "B", "B", "M", "V"};
+  expectWithin(refusal(document), "the outline ends at vertex 0");
+  // Two faces of a bow tie that overlap.
+  document = {{"vertices_coords", {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.2, 0.9}}},
+              {"faces_vertices", {{0, 1, 2}, {0, 2, 3}, {2, 3, 4}}}};
+  EXPECT_NE(refusal(document), "");
+  document = {{"vertices_coords", {{0, 0}, {2, 0}, {0, 2}, {3, 0.1}, {0.1, 3}}},
+              {"faces_vertices", {{0, 1, 2}, {0, 3, 4}}}};
+  EXPECT_NE(refusal(document), "");
+  // Two sheets beside each other.
+  document = {{"vertices_coords", {{0, 0}, {1, 0}, {0, 1}, {5, 0}, {6, 0}, {5, 1}}},
+              {"faces_vertices", {{0, 1, 2}, {3, 4, 5}}}};
+  expectWithin(refusal(document), "more than one sheet");
+  document = diagonal();
+  document["vertices_coords"] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}};
+  EXPECT_NE(refusal(document), "");
+}
+
+TEST(ReadFold, refusesFramesThatDoNotFit) {
+  json document = diagonal();
+  document["frame_classes"] = json::array({"creasePattern"});
+  json form = {{"frame_inherit", true}, {"frame_classes", json::array({"foldedForm"})},
+               {"vertices_coords", {{0, 0, 0}, {1, 0, 0}, {5, 1, 0}, {0, 1, 0}}}};
+  document["file_frames"] = json::array({form});
+  expectWithin(refusal(document), "file_frames[0] is no folded form of the pattern");
+  document["file_frames"][0]["vertices_coords"] = {{0, 0, 0}, {1, 0, 0}};
+  expectWithin(refusal(document), "file_frames[0] has 2 vertices, fewer than the pattern");
+  document = {{"file_frames", json::array({{{"frame_inherit", true}, {"frame_parent", 2}},
+                                           {{"frame_inherit", true}, {"frame_parent", 1}}})}};
+  expectWithin(refusal(document), "inherits from itself");
+  document["file_frames"][0]["frame_parent"] = 7;
+  expectWithin(refusal(document), "frame_parent 7, which is no frame");
+  document = diagonal();
+  document["frame_classes"] = json::array({"creasePattern"});
+  document["vertices_coords"] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}};
+  expectWithin(refusal(document), "do not span one plane");
+}
+
+/// A folded paper with awkward numbers throughout.
+struct Sample {
+  Sheet sheet;
+  std::vector<FoldCrease> creases;
+  Positions positions;
+};
+
+Sample sample() {
+  PlanarGraph graph;
+  graph.points = {{0.1, 0}, {0.25, 0}, {0.25, 0.15}, {0.1, 0.15}};
+  graph.segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}, {1, 3}};
+  graph.segments.pop_back();
+  const GraphMesh mesh = meshGraph(graph, 0.02);
+  const std::vector<int>& chain = mesh.chains[4];
+  // Ids with a gap, a name twice, one free and one driven.
+  const std::vector<int> first(chain.begin(), chain.begin() + 3), rest(chain.begin() + 2, chain.end());
+  Sheet sheet(mesh.triangulation, {{7, "spine", first}, {3, "spine", rest}});
+  Positions positions(3, sheet.vertexCount());
+  for (int v = 0; v < sheet.vertexCount(); ++v) {
+    const Vector2& p = sheet.flatPositions()[v];
+    positions.col(v) = Vector3(p.x() / 3 * 3.01, p.y(), 0.1 * std::sin(p.x() / 0.3));
+  }
+  return {sheet, {{0.1, 1.0 / 3}, {-2.5, kNan}}, positions};
+}
+
+TEST(WriteFold, isReadBackToTheSamePaper) {
+  const Sample before = sample();
+  const json document = writeFold(before.sheet, before.creases, before.positions, "a paper");
+  for (const std::string& text : {document.dump(), foldText(document)}) {
+    const FoldPaper after = readFold(scratch(text));
+    EXPECT_EQ(after.sheet.flatPositions(), before.sheet.flatPositions());
+    EXPECT_EQ(after.sheet.triangles(), before.sheet.triangles());
+    ASSERT_EQ(after.sheet.creases().size(), 2u);
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_EQ(after.sheet.creases()[i].id, before.sheet.creases()[i].id);
+      EXPECT_EQ(after.sheet.creases()[i].name, before.sheet.creases()[i].name);
+      EXPECT_EQ(after.sheet.creases()[i].vertices, before.sheet.creases()[i].vertices);
+    }
+    ASSERT_TRUE(after.positions);
+    EXPECT_EQ(*after.positions, before.positions);
+    ASSERT_EQ(after.rest_angles.size(), 2u);
+    EXPECT_NEAR(after.rest_angles[0], 1.0 / 3, 1e-15);
+    EXPECT_TRUE(std::isnan(after.rest_angles[1]));
+  }
+}
+
+TEST(WriteFold, isReadBackAtAnotherFineness) {
+  const Sample before = sample();
+  const json document = writeFold(before.sheet, before.creases, before.positions, "");
+  const FoldPaper after = read(document, 0, 0.007);
+  ASSERT_EQ(after.sheet.creases().size(), 2u);
+  EXPECT_EQ(after.sheet.creases()[0].id, 7u);
+  EXPECT_GT(after.sheet.creases()[1].vertices.size(), before.sheet.creases()[1].vertices.size());
+  EXPECT_NEAR(after.pattern_angles[0], 1.0 / 3, 1e-15);
+  EXPECT_NEAR(after.sheet.area(), before.sheet.area(), 1e-15);
+  EXPECT_FALSE(after.positions);
+}
+
+TEST(WriteFold, followsTheSpecification) {
+  const Sample paper = sample();
+  const json document = writeFold(paper.sheet, paper.creases, paper.positions, "a paper");
+  EXPECT_EQ(document["file_spec"], 1.2);
+  EXPECT_EQ(document["file_creator"], "shell_origami");
+  EXPECT_EQ(document["frame_unit"], "m");
+  EXPECT_EQ(document["frame_classes"], json::array({"creasePattern"}));
+  EXPECT_EQ(document["vertices_coords"].size(), paper.sheet.flatPositions().size());
+  EXPECT_EQ(document["faces_vertices"].size(), paper.sheet.triangles().size());
+  const auto& edges = paper.sheet.edges();
+  ASSERT_EQ(document["edges_vertices"].size(), edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const double angle = document["edges_foldAngle"][i];
+    const std::string kind = document["edges_assignment"][i];
+    const bool border = edges[i].onBorder();
+    EXPECT_EQ(kind, border ? "B" : edges[i].crease < 0 ? "F" : edges[i].crease == 0 ? "V" : "M");
+    const double expected = edges[i].crease < 0 ? 0 : edges[i].crease == 0 ? 0.1 : -2.5;
+    EXPECT_NEAR(angle, expected * 180 / M_PI, 1e-12);
+  }
+  const json& frame = document["file_frames"][0];
+  EXPECT_EQ(frame["frame_inherit"], true);
+  EXPECT_EQ(frame["frame_parent"], 0);
+  EXPECT_EQ(frame["frame_classes"], json::array({"foldedForm"}));
+  EXPECT_EQ(frame["frame_attributes"], json::array({"3D"}));
+  EXPECT_EQ(frame["vertices_coords"][1].size(), 3u);
+}
+
+TEST(WriteFold, laterFramesAreWhereThePaperEnds) {
+  const Sample paper = sample();
+  json document = writeFold(paper.sheet, paper.creases, paper.positions, "film");
+  const Positions moved = paper.positions.array() + 0.01;
+  document["file_frames"].push_back(foldedFrame(moved, 0.25));
+  EXPECT_EQ(document["file_frames"][1]["shell_origami:time"], 0.25);
+  EXPECT_EQ(*read(document, 0).positions, moved);
+}
+
+TEST(WriteFold, whatIsNotFiniteIsNull) {
+  Sample paper = sample();
+  paper.positions(1, 2) = kNan;
+  paper.creases[0].angle = std::numeric_limits<double>::infinity();
+  const std::string text =
+      foldText(writeFold(paper.sheet, paper.creases, paper.positions, "a \xff title"));
+  const json document = json::parse(text);
+  EXPECT_TRUE(document["file_frames"][0]["vertices_coords"][2][1].is_null());
+  expectWithin(fileRefusal(scratch(text), {}), "vertices_coords[2] is null, not a number");
+}
+
+TEST(WriteFold, damagedNotesAreRefused) {
+  const Sample paper = sample();
+  const json good = writeFold(paper.sheet, paper.creases, paper.positions, "");
+  const auto damaged = [&good](const char* pointer, const json& value) {
+    json document = good;
+    document[json::json_pointer(pointer)] = value;
+    return fileRefusal(scratch(document.dump()), {});
+  };
+  EXPECT_EQ(fileRefusal(scratch(good.dump()), {}), "");
+  const std::string first = "/shell_origami:creases/0";
+  expectWithin(damaged("/shell_origami:creases/0/vertices", {0, 1000}), "names vertex 1000");
+  expectWithin(damaged("/shell_origami:creases/0/vertices", {0, 1}), "crease spine");
+  expectWithin(damaged("/shell_origami:creases/0/id", 3), "two creases have id 3");
+  expectWithin(damaged("/shell_origami:creases/0/id", -3), "has id -3");
+  expectWithin(damaged("/shell_origami:creases/0/id", 4294967295u), "has id 4294967295");
+  expectWithin(damaged("/shell_origami:creases/0/name", 5), "has name 5");
+  expectWithin(damaged("/shell_origami:creases/1/rest_angle_deg", "x"), "is \"x\", not a number");
+}
+
+}  // namespace
+}  // namespace shell_origami

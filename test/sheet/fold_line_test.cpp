@@ -1,0 +1,225 @@
+#include "sheet/fold_line.h"
+
+#include "sheet/material_mesh.h"
+#include "sheet/triangulate.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+
+namespace shell_origami {
+namespace {
+
+constexpr double kSide = 0.15;
+
+Sheet square(double max_edge = 0.02) {
+  return Sheet(triangulateRectangle(kSide, kSide, max_edge));
+}
+
+Line line(double x0, double y0, double x1, double y1) {
+  return {Vector2(x0, y0), Vector2(x1, y1)};
+}
+
+double length(const Sheet& sheet, const std::vector<int>& polyline) {
+  double sum = 0;
+  for (std::size_t i = 1; i < polyline.size(); ++i) {
+    sum += (sheet.flatPositions()[polyline[i]] - sheet.flatPositions()[polyline[i - 1]]).norm();
+  }
+  return sum;
+}
+
+double smallestAngle(const Sheet& sheet) {
+  double smallest = M_PI;
+  for (const Triangle& t : sheet.triangles()) {
+    const auto& p = sheet.flatPositions();
+    smallest = std::min(smallest, shell_origami::smallestAngle(p[t[0]], p[t[1]], p[t[2]]));
+  }
+  return smallest;
+}
+
+TEST(FoldLine, RunsStraightFromEndToEnd) {
+  Sheet sheet = square();
+  const FoldLine made = makeFoldLine(sheet, line(0, 0, kSide, kSide), "spine");
+  sheet.validate();
+  ASSERT_EQ(made.crease_ids.size(), 1u);
+  ASSERT_EQ(sheet.creases().size(), 1u);
+  EXPECT_EQ(sheet.creases()[0].name, "spine");
+  EXPECT_EQ(sheet.creases()[0].vertices, made.vertices);
+  EXPECT_EQ(sheet.revision(), 1u);
+  EXPECT_NEAR(length(sheet, made.vertices), kSide * std::sqrt(2), 1e-14);
+  EXPECT_NEAR(sheet.area(), kSide * kSide, 1e-14 * kSide);
+}
+
+TEST(FoldLine, EndsAnywhereInAFace) {
+  Sheet sheet = square();
+  const FoldLine made = makeFoldLine(sheet, line(0.0331, 0.0417, 0.1013, 0.0921));
+  sheet.validate();
+  EXPECT_NEAR((sheet.flatPositions()[made.vertices.front()] - Vector2(0.0331, 0.0417)).norm(), 0,
+              1e-15);
+  EXPECT_NEAR((sheet.flatPositions()[made.vertices.back()] - Vector2(0.1013, 0.0921)).norm(), 0,
+              1e-15);
+}
+
+TEST(FoldLine, CrossingCreasesShareAVertexAndKeepTheirIdentity) {
+  Sheet sheet = square();
+  const auto first = makeFoldLine(sheet, line(0, 0.07, kSide, 0.08), "first").crease_ids;
+  const auto second = makeFoldLine(sheet, line(0.07, 0, 0.08, kSide), "second").crease_ids;
+  sheet.validate();
+  ASSERT_EQ(sheet.creases().size(), 2u);
+  const auto& a = sheet.creases()[sheet.creaseIndex(first[0])].vertices;
+  const auto& b = sheet.creases()[sheet.creaseIndex(second[0])].vertices;
+  int shared = 0;
+  for (int v : a) shared += static_cast<int>(std::count(b.begin(), b.end(), v));
+  EXPECT_EQ(shared, 1);
+}
+
+TEST(FoldLine, AlongAWholeCreaseIsThatCreaseAgain) {
+  Sheet sheet = square();
+  const FoldLine first = makeFoldLine(sheet, line(0, 0, kSide, kSide), "spine");
+  const FoldLine again = makeFoldLine(sheet, line(kSide, kSide, 0, 0), "other");
+  sheet.validate();
+  EXPECT_EQ(again.crease_ids, first.crease_ids);
+  EXPECT_EQ(sheet.creases().size(), 1u);
+  EXPECT_EQ(sheet.creases()[0].name, "spine");
+  EXPECT_EQ(again.vertices,
+            std::vector<int>(first.vertices.rbegin(), first.vertices.rend()));
+}
+
+TEST(FoldLine, APartOfACreaseIsCutOffWithItsParentNamed) {
+  Sheet sheet = square();
+  const auto spine = makeFoldLine(sheet, line(0, 0, kSide, kSide), "spine").crease_ids[0];
+  const FoldLine middle = makeFoldLine(sheet, line(0.05, 0.05, 0.1, 0.1), "belly");
+  sheet.validate();
+  // Three pieces: the spine keeps the first, the last is born of it, and so is the middle.
+  ASSERT_EQ(sheet.creases().size(), 3u);
+  ASSERT_EQ(middle.crease_ids.size(), 1u);
+  EXPECT_NE(middle.crease_ids[0], spine);
+  EXPECT_EQ(sheet.creases()[sheet.creaseIndex(middle.crease_ids[0])].name, "belly");
+  ASSERT_EQ(middle.remap.born.size(), 2u);
+  for (const Remap::Born& born : middle.remap.born) EXPECT_EQ(born.parent, spine);
+  double total = 0;
+  for (const Crease& crease : sheet.creases()) total += length(sheet, crease.vertices);
+  EXPECT_NEAR(total, kSide * std::sqrt(2), 1e-14);
+}
+
+TEST(FoldLine, BeyondACreaseMakesANewOneOfTheRest) {
+  Sheet sheet = square();
+  const auto half = makeFoldLine(sheet, line(0, 0, 0.075, 0.075)).crease_ids[0];
+  const FoldLine whole = makeFoldLine(sheet, line(0, 0, kSide, kSide));
+  sheet.validate();
+  ASSERT_EQ(whole.crease_ids.size(), 2u);
+  EXPECT_EQ(whole.crease_ids[0], half);
+  EXPECT_TRUE(whole.remap.born.empty());
+}
+
+TEST(FoldLine, VerticesKeepTheirIdsAndAnEarlierCreaseItsLine) {
+  Sheet sheet = square();
+  const Sheet before = sheet;
+  const FoldLine made = makeFoldLine(sheet, line(0.01, 0, 0.13, kSide));
+  int stayed = 0;
+  for (int v = 0; v < before.vertexCount(); ++v) {
+    const bool changed =
+        std::binary_search(made.remap.changed.begin(), made.remap.changed.end(), v);
+    if (!changed) {
+      EXPECT_EQ(sheet.flatPositions()[v], before.flatPositions()[v]);
+      ++stayed;
+    }
+  }
+  EXPECT_GT(stayed, before.vertexCount() / 2);
+}
+
+TEST(FoldLine, RemapPutsNewVerticesWhereTheirFlatPointWas) {
+  Sheet sheet = square();
+  const auto fold_of = [](const Vector2& p) {  // a paper folded by 90 degrees along x = 0.07
+    return p.x() < 0.07 ? Vector3(p.x(), p.y(), 0) : Vector3(0.07, p.y(), p.x() - 0.07);
+  };
+  makeFoldLine(sheet, line(0.07, 0, 0.07, kSide));
+  Positions space(3, sheet.vertexCount());
+  for (int v = 0; v < sheet.vertexCount(); ++v) space.col(v) = fold_of(sheet.flatPositions()[v]);
+  const FoldLine made =
+      makeFoldLine(sheet, line(0, 0.03, kSide, 0.11), "", EditContext{&space, {}});
+  sheet.validate();
+  const Positions after = made.remap.apply(space, sheet.vertexCount());
+  for (int v = 0; v < sheet.vertexCount(); ++v) {
+    EXPECT_LT((after.col(v) - fold_of(sheet.flatPositions()[v])).norm(), 1e-15);
+  }
+}
+
+TEST(FoldLine, HeldVerticesAreNeverShifted) {
+  Sheet sheet = square();
+  EditContext context;
+  for (int v = 0; v < sheet.vertexCount(); ++v) context.held.insert(v);
+  const auto before = sheet.flatPositions();
+  makeFoldLine(sheet, line(0.003, 0, 0.141, kSide), "", context);
+  sheet.validate();
+  for (std::size_t v = 0; v < before.size(); ++v) EXPECT_EQ(sheet.flatPositions()[v], before[v]);
+}
+
+TEST(FoldLine, ALongFoldLeavesNoSliver) {
+  // The corners of the paper force nothing here: the line meets the border at 60 degrees or more.
+  Sheet sheet = square(0.01);
+  makeFoldLine(sheet, line(0.0531, 0, 0.0742, kSide));
+  EXPECT_GT(smallestAngle(sheet), 15 * M_PI / 180);
+}
+
+TEST(FoldLine, RefusesWhatMakesNoSenseAndLeavesTheSheet) {
+  Sheet sheet = square();
+  makeFoldLine(sheet, line(0, 0, kSide, kSide));
+  const Sheet before = sheet;
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  for (const Line& bad :
+       {line(0.05, 0.05, 0.05, 0.05), line(-0.01, 0, 0.1, 0.1), line(0, 0, 0.2, 0.2),
+        line(nan, 0, 0.1, 0.1), line(0, 0, infinity, 0.1), line(0, 0, kSide, 0),
+        line(1, 1, 2, 2)}) {
+    EXPECT_THROW(makeFoldLine(sheet, bad), std::invalid_argument);
+  }
+  EXPECT_EQ(sheet.revision(), before.revision());
+  EXPECT_EQ(sheet.triangles(), before.triangles());
+  EXPECT_EQ(sheet.flatPositions(), before.flatPositions());
+}
+
+TEST(AddVertex, SplitsTheEdgeWhereAsked) {
+  Sheet sheet = square();
+  const auto [a, b] = sheet.edges()[7].vertices;
+  const Vector2 from = sheet.flatPositions()[a], to = sheet.flatPositions()[b];
+  const AddedVertex added = addVertex(sheet, a, b, 0.25);
+  sheet.validate();
+  EXPECT_LT((sheet.flatPositions()[added.vertex] - (0.75 * from + 0.25 * to)).norm(), 1e-16);
+  EXPECT_EQ(sheet.revision(), 1u);
+  EXPECT_THROW(addVertex(sheet, a, b, 0.5), std::invalid_argument);
+  EXPECT_THROW(addVertex(sheet, a, added.vertex, 0), std::invalid_argument);
+  EXPECT_THROW(addVertex(sheet, a, added.vertex, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(addVertex(sheet, a, 100000, 0.5), std::invalid_argument);
+  EXPECT_THROW(addVertex(sheet, a, a, 0.5), std::invalid_argument);
+}
+
+TEST(AddVertex, OnACreaseBecomesItsVertex) {
+  Sheet sheet = square();
+  const FoldLine made = makeFoldLine(sheet, line(0, 0, kSide, kSide));
+  const AddedVertex added = addVertex(sheet, made.vertices[1], made.vertices[2], 0.3);
+  sheet.validate();
+  const auto& crease = sheet.creases()[0].vertices;
+  EXPECT_EQ(crease.size(), made.vertices.size() + 1);
+  EXPECT_EQ(crease[2], added.vertex);
+}
+
+TEST(FoldLine, AThousandRandomFoldsKeepTheSheetWhole) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int folds = 0;
+  while (folds < 1000) {
+    const double width = 0.05 + 0.2 * unit(random), height = 0.05 + 0.2 * unit(random);
+    Sheet sheet(triangulateRectangle(width, height, 0.015 + 0.02 * unit(random)));
+    for (int i = 0; i < 12; ++i, ++folds) {
+      const Line any = line(width * unit(random), height * unit(random), width * unit(random),
+                            height * unit(random));
+      ASSERT_NO_THROW(makeFoldLine(sheet, any));
+      ASSERT_NO_THROW(sheet.validate());
+      ASSERT_NEAR(sheet.area(), width * height, 1e-12 * width * height);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shell_origami

@@ -1,0 +1,82 @@
+#include "shell/membrane.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+
+namespace shell_origami {
+namespace {
+
+const std::array<Vector2, 3> kFlat{Vector2(0.01, 0.02), Vector2(0.02, 0.021),
+                                   Vector2(0.013, 0.03)};
+
+TrianglePoints inSpace(double stretch) {
+  TrianglePoints x;
+  for (int k = 0; k < 3; ++k) {
+    x[k] = {stretch * kFlat[k].x(), kFlat[k].y() / stretch, 0.3 * kFlat[k].x()};
+  }
+  return x;
+}
+
+TrianglePoints moved(TrianglePoints x, int i, double d) {
+  x[i / 3][i % 3] += d;
+  return x;
+}
+
+class MembraneTest : public testing::TestWithParam<double> {};
+
+TEST_P(MembraneTest, DerivativesMatchFiniteDifferences) {
+  const MembraneElement element(kFlat, {});
+  const TrianglePoints x = inSpace(GetParam());
+  const double h = 1e-8;  // a millionth of the triangle's size
+  const MembraneGradient gradient = element.gradient(x);
+  const MembraneHessian hessian = element.hessian(x, false);
+  MembraneGradient numeric;
+  MembraneHessian numeric_hessian;
+  for (int i = 0; i < 9; ++i) {
+    numeric[i] = (element.energy(moved(x, i, h)) - element.energy(moved(x, i, -h))) / (2 * h);
+    numeric_hessian.col(i) =
+        (element.gradient(moved(x, i, h)) - element.gradient(moved(x, i, -h))) / (2 * h);
+  }
+  EXPECT_LT((gradient - numeric).norm(), 1e-6 * gradient.norm());
+  EXPECT_LT((hessian - numeric_hessian).norm(), 1e-6 * hessian.norm());
+}
+
+TEST_P(MembraneTest, ProjectedHessianIsPositiveSemidefinite) {
+  const MembraneElement element(kFlat, {});
+  const MembraneHessian hessian = element.hessian(inSpace(GetParam()), true);
+  const Eigen::SelfAdjointEigenSolver<MembraneHessian> eigen(hessian);
+  EXPECT_GT(eigen.eigenvalues().minCoeff(), -1e-12 * eigen.eigenvalues().maxCoeff());
+}
+
+INSTANTIATE_TEST_SUITE_P(Stretches, MembraneTest, testing::Values(0.6, 0.9, 0.999, 1.05, 1.4));
+
+TEST(Membrane, RigidMotionsCostNothing) {
+  const MembraneElement element(kFlat, {});
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond(0.5, -0.1, 0.7, 0.4).normalized().toRotationMatrix();
+  TrianglePoints x;
+  for (int k = 0; k < 3; ++k) {
+    x[k] = turn * Eigen::Vector3d(kFlat[k].x(), kFlat[k].y(), 0) + Eigen::Vector3d(1, 2, 3);
+  }
+  // Rounding of coordinates near 1 against a triangle of 0.01, times E t A.
+  EXPECT_LT(element.energy(x), 1e-22);
+  EXPECT_NEAR(element.areaRatio(x), 1, 1e-12);
+}
+
+TEST(Membrane, UniaxialTensionPullsWithYoungsModulus) {
+  // Stretched by e and contracted by nu e across, only the stress E e along remains.
+  const Material material;
+  const MembraneElement element(kFlat, material);
+  const double e = 1e-6;
+  TrianglePoints x;
+  for (int k = 0; k < 3; ++k) {
+    x[k] = {(1 + e) * kFlat[k].x(), (1 - material.poisson_ratio * e) * kFlat[k].y(), 0};
+  }
+  const double volume = doubleArea(kFlat[0], kFlat[1], kFlat[2]) / 2 * material.thickness;
+  EXPECT_NEAR(element.energy(x) / (volume * material.youngs_modulus * e * e / 2), 1, 1e-5);
+}
+
+}  // namespace
+}  // namespace shell_origami
