@@ -25,6 +25,9 @@ const std_msgs::ColorRGBA kBorder = color(0.22, 0.16, 0.14);
 const std_msgs::ColorRGBA kPin = color(0.10, 0.55, 0.25);
 const std_msgs::ColorRGBA kVertexId = color(0.10, 0.10, 0.10);
 
+/// Distance of a side from the middle of the paper, over its size: rviz tells the sides apart, and
+/// folded layers do not mix.
+constexpr double kGap = 1.0 / 4000;
 /// Height of a vertex's number and how far it hovers above the front, over the paper's size.
 constexpr double kVertexIdHeight = 1.0 / 60;
 
@@ -45,12 +48,20 @@ std_msgs::ColorRGBA creaseColor(double angle) {
                flat.b + s * (full.b - flat.b));
 }
 
-geometry_msgs::Point point(const Points& points, std::uint32_t i) {
+geometry_msgs::Point point(const Eigen::Vector3d& p) {
   geometry_msgs::Point result;
-  result.x = points(0, i);
-  result.y = points(1, i);
-  result.z = points(2, i);
+  result.x = p.x();
+  result.y = p.y();
+  result.z = p.z();
   return result;
+}
+
+/// Normal of a triangle, twice its area long.
+template <class Corners>
+Eigen::Vector3d areaVector(const Points& points, const Corners& v) {
+  const Eigen::Vector3d ab = points.col(v[1]) - points.col(v[0]);
+  const Eigen::Vector3d ac = points.col(v[2]) - points.col(v[0]);
+  return ab.cross(ac);
 }
 
 /// An empty marker deletes the one it would replace, since rviz warns of lists without points.
@@ -86,6 +97,10 @@ void MarkerPainter::setSheet(const msg::Sheet& sheet) {
   for (const auto& [edge, count] : sides) {
     if (count == 1) border_.push_back(edge);
   }
+  on_crease_.assign(sheet.flat_positions.size(), false);
+  for (const msg::Crease& crease : sheet.creases) {
+    for (const std::uint32_t v : crease.vertices) on_crease_[v] = true;
+  }
   Eigen::Array2d low = Eigen::Array2d::Constant(HUGE_VAL), high = -low;
   for (const auto& p : sheet.flat_positions) {
     low = low.min(Eigen::Array2d(p.x, p.y));
@@ -108,14 +123,13 @@ visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state
     middle.col(static_cast<Eigen::Index>(i)) << p.x, p.y, p.z;
   }
   const Points normal = normals(middle);
-  const double gap = size_ / 4000;  // rviz tells the sides apart, and folded layers do not mix
   // Lines lie on top of both sides: between them they would not be seen.
   const double lift = size_ / 1000;
   const std::vector<Points> tops = {middle + lift * normal, middle - lift * normal};
 
   visualization_msgs::MarkerArray array;
-  array.markers.push_back(side("front", middle + gap * normal, false));
-  array.markers.push_back(side("back", middle - gap * normal, true));
+  array.markers.push_back(side(true, middle, normal));
+  array.markers.push_back(side(false, middle, normal));
   array.markers.push_back(creases(tops, state));
   array.markers.push_back(border(tops));
   array.markers.push_back(pins(middle, state));
@@ -127,31 +141,31 @@ visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state
 Points MarkerPainter::normals(const Points& points) const {
   Points result = Points::Zero(3, points.cols());
   for (const auto& triangle : sheet_.triangles) {
-    const auto& v = triangle.vertex_indices;
-    const Eigen::Vector3d ab = points.col(v[1]) - points.col(v[0]);
-    const Eigen::Vector3d ac = points.col(v[2]) - points.col(v[0]);
-    for (const std::uint32_t i : v) result.col(i) += ab.cross(ac);
+    const Eigen::Vector3d area = areaVector(points, triangle.vertex_indices);
+    for (const std::uint32_t i : triangle.vertex_indices) result.col(i) += area;
   }
   for (Eigen::Index i = 0; i < result.cols(); ++i) result.col(i).stableNormalize();
   return result;
 }
 
-MarkerPainter::Marker MarkerPainter::side(const std::string& name, const Points& points,
-                                          bool reversed) const {
-  Marker marker = newMarker(name, Marker::TRIANGLE_LIST, sheet_.header);
+/// Triangles a hair off the middle of the paper. Where a vertex lies on a crease, each triangle is
+/// lifted along its own normal: the two flaps have no common one.
+MarkerPainter::Marker MarkerPainter::side(bool front, const Points& middle,
+                                          const Points& normals) const {
+  const double gap = (front ? 1 : -1) * kGap * size_;
+  Marker marker = newMarker(front ? "front" : "back", Marker::TRIANGLE_LIST, sheet_.header);
   marker.color.a = 1;
-  const std_msgs::ColorRGBA& paper = reversed ? kBack : kFront;
   marker.points.reserve(3 * sheet_.triangles.size());
+  marker.colors.reserve(sheet_.triangles.size());
   for (const auto& triangle : sheet_.triangles) {
     const auto& v = triangle.vertex_indices;
-    const Eigen::Vector3d ab = points.col(v[1]) - points.col(v[0]);
-    const Eigen::Vector3d ac = points.col(v[2]) - points.col(v[0]);
-    const Eigen::Vector3d normal = (reversed ? ac.cross(ab) : ab.cross(ac)).stableNormalized();
-    const double area = ab.cross(ac).norm();
-    if (!(area > 1e-12 * size_ * size_)) continue;  // rviz cannot draw it (rviz #925)
-    marker.colors.push_back(shaded(paper, normal));
-    for (const int k : {0, reversed ? 2 : 1, reversed ? 1 : 2}) {
-      marker.points.push_back(point(points, v[k]));
+    const Eigen::Vector3d area = areaVector(middle, v);
+    if (!(area.norm() > 1e-12 * size_ * size_)) continue;  // rviz cannot draw it (rviz #925)
+    const Eigen::Vector3d normal = area.normalized();
+    marker.colors.push_back(front ? shaded(kFront, normal) : shaded(kBack, -normal));
+    for (const int k : {0, front ? 1 : 2, front ? 2 : 1}) {
+      const Eigen::Vector3d lift = on_crease_[v[k]] ? normal : normals.col(v[k]);
+      marker.points.push_back(point(middle.col(v[k]) + gap * lift));
     }
   }
   return finished(marker);
@@ -165,8 +179,8 @@ MarkerPainter::Marker MarkerPainter::creases(const std::vector<Points>& sides,
     const std::vector<std::uint32_t>& line = sheet_.creases[c].vertices;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       for (const Points& points : sides) {
-        marker.points.push_back(point(points, line[i]));
-        marker.points.push_back(point(points, line[i + 1]));
+        marker.points.push_back(point(points.col(line[i])));
+        marker.points.push_back(point(points.col(line[i + 1])));
       }
     }
     marker.colors.resize(marker.points.size(), creaseColor(state.creases[c].angle));
@@ -180,8 +194,8 @@ MarkerPainter::Marker MarkerPainter::border(const std::vector<Points>& sides) co
   marker.color = kBorder;
   for (const auto& [a, b] : border_) {
     for (const Points& points : sides) {
-      marker.points.push_back(point(points, a));
-      marker.points.push_back(point(points, b));
+      marker.points.push_back(point(points.col(a)));
+      marker.points.push_back(point(points.col(b)));
     }
   }
   return finished(marker);
@@ -192,7 +206,7 @@ MarkerPainter::Marker MarkerPainter::pins(const Points& points,
   Marker marker = newMarker("pins", Marker::SPHERE_LIST, sheet_.header);
   marker.scale.x = marker.scale.y = marker.scale.z = size_ / 50;
   marker.color = kPin;
-  for (const std::uint32_t v : state.pinned) marker.points.push_back(point(points, v));
+  for (const std::uint32_t v : state.pinned) marker.points.push_back(point(points.col(v)));
   return finished(marker);
 }
 
@@ -202,7 +216,7 @@ void MarkerPainter::addVertexIds(const Points& points, visualization_msgs::Marke
     Marker marker = newMarker("vertex_ids", Marker::TEXT_VIEW_FACING, sheet_.header);
     marker.id = static_cast<int>(i);
     if (i < wanted) {
-      marker.pose.position = point(points, static_cast<std::uint32_t>(i));
+      marker.pose.position = point(points.col(static_cast<Eigen::Index>(i)));
       marker.scale.z = kVertexIdHeight * size_;
       marker.color = kVertexId;
       marker.text = std::to_string(i);

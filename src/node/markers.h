@@ -29,7 +29,7 @@ class MarkerPainter {
   using Marker = visualization_msgs::Marker;
   using Points = Eigen::Matrix3Xd;
 
-  Marker side(const std::string& name, const Points& points, bool reversed) const;
+  Marker side(bool front, const Points& middle, const Points& normals) const;
   Marker creases(const std::vector<Points>& sides, const msg::SheetState& state) const;
   Marker border(const std::vector<Points>& sides) const;
   Marker pins(const Points& points, const msg::SheetState& state) const;
@@ -40,6 +40,7 @@ class MarkerPainter {
   std::size_t numbered_ = 0;  ///< vertices whose number rviz shows
   msg::Sheet sheet_;
   std::vector<std::array<std::uint32_t, 2>> border_;
+  std::vector<bool> on_crease_;  ///< for each vertex
   double size_ = 0;  ///< of the flat sheet [m]
 };
 

@@ -2,20 +2,39 @@
 
 #include "sheet/triangulate.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 
 namespace shell_origami {
 
+namespace {
+
+FoldPaper readPaper(const SheetSource& source) {
+  if (!source.pattern.empty()) return readFold(source.pattern, {source.scale, source.max_edge});
+  return {Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), {}, {}, {}};
+}
+
+Eigen::Isometry3d poseOf(const SheetSource& source) {
+  const Vector3& angles = source.roll_pitch_yaw;
+  return Eigen::Translation3d(source.position) *
+         Eigen::AngleAxisd(angles.z(), Vector3::UnitZ()) *
+         Eigen::AngleAxisd(angles.y(), Vector3::UnitY()) *
+         Eigen::AngleAxisd(angles.x(), Vector3::UnitX());
+}
+
+}  // namespace
+
 Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config) {
-  if (source.pattern.empty()) {
-    return Simulation(
-        Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), config);
+  FoldPaper paper = readPaper(source);
+  if (!paper.positions) {
+    paper.positions = flatInSpace(paper.sheet);
+    paper.rest_angles.assign(paper.sheet.creases().size(), std::nan(""));
   }
-  FoldPaper paper = readFold(source.pattern, {source.scale, source.max_edge});
-  if (paper.positions) {
-    return Simulation(std::move(paper.sheet), config, *paper.positions, paper.rest_angles);
-  }
-  return Simulation(std::move(paper.sheet), config);
+  const Eigen::Isometry3d pose = poseOf(source);
+  const Positions positions = (pose.linear() * *paper.positions).colwise() + pose.translation();
+  return Simulation(std::move(paper.sheet), config, positions, paper.rest_angles);
 }
 
 RecipeRunner::RecipeRunner(Recipe recipe) : recipe_(std::move(recipe)) {}

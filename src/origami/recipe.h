@@ -19,6 +19,8 @@ struct SheetSource {
   double max_edge = 0.01;  ///< longest edge wanted [m]
   std::string pattern;     ///< FOLD file; empty: the rectangle
   double scale = 0;        ///< metres per unit of the pattern; 0: the unit the file states
+  Vector3 position = Vector3::Zero();      ///< where the flat sheet's origin lies in the world [m]
+  Vector3 roll_pitch_yaw = Vector3::Zero();  ///< how the flat sheet lies there [rad] (REP-103)
 };
 
 /// Makes the paper. \throws std::invalid_argument with one sentence.

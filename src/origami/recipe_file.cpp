@@ -83,6 +83,19 @@ class Reader {
   std::string file_;
 };
 
+void readPose(const Reader& reader, const YAML::Node& node, SheetSource& sheet) {
+  reader.readMap(node, "sheet/pose",
+                 {{"position",
+                   [&](const YAML::Node& value) {
+                     const auto p = reader.numbers(value, 3, "sheet/pose/position");
+                     sheet.position = {p[0], p[1], p[2]};
+                   }},
+                  {"rpy_deg", [&](const YAML::Node& value) {
+                     const auto angles = reader.numbers(value, 3, "sheet/pose/rpy_deg");
+                     sheet.roll_pitch_yaw = kDegree * Vector3(angles[0], angles[1], angles[2]);
+                   }}});
+}
+
 void readSheet(const Reader& reader, const YAML::Node& node, const fs::path& folder,
                SheetSource& sheet) {
   reader.readMap(
@@ -98,7 +111,8 @@ void readSheet(const Reader& reader, const YAML::Node& node, const fs::path& fol
         [&](const YAML::Node& value) {
           sheet.pattern = (folder / reader.text(value, "sheet/pattern")).string();
         }},
-       {"scale", reader.into(sheet.scale, "sheet/scale")}});
+       {"scale", reader.into(sheet.scale, "sheet/scale")},
+       {"pose", [&](const YAML::Node& value) { readPose(reader, value, sheet); }}});
 }
 
 void readMaterial(const Reader& reader, const YAML::Node& node, Material& material) {

@@ -15,14 +15,6 @@ constexpr double kFreeCreaseSoftness = 0.01;
 constexpr double kSettledSpeed = 0.005;
 constexpr double kSettledAcceleration = 0.1;
 
-Positions flatInSpace(const Sheet& sheet) {
-  Positions positions = Positions::Zero(3, sheet.vertexCount());
-  for (int v = 0; v < sheet.vertexCount(); ++v) {
-    positions.col(v).head<2>() = sheet.flatPositions()[v];
-  }
-  return positions;
-}
-
 SimulationConfig checked(const SimulationConfig& config) {
   checkConfig(config);
   return config;
@@ -45,6 +37,14 @@ double rootMeanSquare(const Positions& values) {
 }
 
 }  // namespace
+
+Positions flatInSpace(const Sheet& sheet) {
+  Positions positions = Positions::Zero(3, sheet.vertexCount());
+  for (int v = 0; v < sheet.vertexCount(); ++v) {
+    positions.col(v).head<2>() = sheet.flatPositions()[v];
+  }
+  return positions;
+}
 
 /// Moves the rest angles along their ramps within one step.
 class Simulation::RampDrive : public Drive {

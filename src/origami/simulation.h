@@ -17,6 +17,9 @@
 
 namespace shell_origami {
 
+/// The flat sheet in the plane z = 0.
+Positions flatInSpace(const Sheet& sheet);
+
 /// Everything about a simulation but the sheet.
 struct SimulationConfig {
   Material material;

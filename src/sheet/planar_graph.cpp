@@ -28,7 +28,6 @@ bool clash(const PlanarGraph& graph, int i, int j, double tolerance) {
   if (b == c || b == d || a == c || a == d) {
     const int shared = a == c || a == d ? a : b;
     const int p = a == shared ? b : a, q = c == shared ? d : c;
-    if (p == q) return true;
     const Vector2 &o = graph.points[shared], &far = graph.points[p], &other = graph.points[q];
     return distanceToSegment(far, o, other) <= tolerance ||
            distanceToSegment(other, o, far) <= tolerance;

@@ -51,6 +51,19 @@ TEST_F(RecipeTest, SaysWhatItReads) {
   EXPECT_EQ(fold.folds[0].name, "middle");
 }
 
+TEST_F(RecipeTest, LaysTheSheetWhereThePoseSays) {
+  const Recipe recipe = loadRecipe(write(
+      "sheet: {size: [0.1, 0.1], max_edge: 0.05, pose: {position: [1, 2, 3], rpy_deg: [90, 0, 90]}}"));
+  const Simulation simulation = makeSimulation(recipe.sheet, recipe.config);
+  // Roll 90: the sheet's y points up; then yaw 90: its x points along the world's y.
+  for (int v = 0; v < simulation.sheet().vertexCount(); ++v) {
+    const Vector2 flat = simulation.sheet().flatPositions()[v];
+    EXPECT_LT((simulation.positions().col(v) - Vector3(1, 2 + flat.x(), 3 + flat.y())).norm(),
+              1e-14);
+  }
+  EXPECT_NEAR(simulation.maxStrain(), 0, 1e-13);
+}
+
 TEST_F(RecipeTest, OverridesOneValue) {
   const Recipe recipe = loadRecipe(write(kGood), {}, {},
                                    {{"material/thickness", "3e-4"}, {"solver/gamma", "0.9"}});

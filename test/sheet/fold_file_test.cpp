@@ -161,6 +161,9 @@ TEST(ReadFold, flatAndUnassignedEdges) {
   ASSERT_EQ(paper.sheet.creases().size(), 1u);  // flat ones are none, unassigned ones are free
   EXPECT_EQ(paper.sheet.creases()[0].vertices, (std::vector<int>{7, 8, 3}));
   EXPECT_TRUE(std::isnan(paper.pattern_angles[0]));
+  // FOLD says 0 of what is unassigned.
+  document["edges_foldAngle"] = std::vector<int>(12, 0);
+  EXPECT_TRUE(std::isnan(read(document).pattern_angles[0]));
   // Without assignments the signs of the angles tell.
   document.erase("edges_assignment");
   document["edges_foldAngle"] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, -10, 10};
@@ -214,6 +217,9 @@ TEST(ReadFold, facesInAnyOrderAndNumberOfCorners) {
   json document = cross();
   document["faces_vertices"] = {{7, 8, 1, 0}, {1, 2, 3, 8}, {5, 4, 3, 8}, {7, 8, 5, 6}};
   EXPECT_EQ(read(document).sheet.triangles().size(), 8u);
+  // In the xy plane coordinates say which side is up, not the order of a face's corners.
+  document["faces_vertices"] = {{7, 8, 1, 0}, {8, 3, 2, 1}, {5, 4, 3, 8}, {6, 5, 8, 7}};
+  EXPECT_EQ(read(document).sheet.flatPositions()[3], Vector2(2, 1));
   document = diagonal();
   document["faces_vertices"] = {{2, 1, 0}, {0, 2, 3}};
   EXPECT_EQ(read(document).sheet.triangles().size(), 2u);

@@ -14,19 +14,23 @@ constexpr double kDegree = M_PI / 180;
 
 struct Figures {
   double smallest_angle = M_PI;  // [rad]
+  double mean_angle = 0;         // mean over the triangles of their smallest [rad]
   double longest = 0, area = 0;
 };
 
 Figures figures(const Triangulation& mesh) {
   Figures result;
   for (const Triangle& t : mesh.triangles()) {
+    double smallest = M_PI;
     for (int k = 0; k < 3; ++k) {
       const Vector2 &p = mesh.points()[t[k]], &q = mesh.points()[t[(k + 1) % 3]],
                     &r = mesh.points()[t[(k + 2) % 3]];
       const double angle = std::atan2(doubleArea(p, q, r), (q - p).dot(r - p));
-      result.smallest_angle = std::min(result.smallest_angle, angle);
+      smallest = std::min(smallest, angle);
       result.longest = std::max(result.longest, (q - p).norm());
     }
+    result.smallest_angle = std::min(result.smallest_angle, smallest);
+    result.mean_angle += smallest / mesh.triangles().size();
     result.area += doubleArea(mesh.points()[t[0]], mesh.points()[t[1]], mesh.points()[t[2]]) / 2;
   }
   return result;
@@ -145,6 +149,7 @@ TEST(Triangulate, generalOutlinesAreEvenWithinMaxEdge) {
     const Triangulation mesh = triangulate(graph, 0.01);
     const Figures f = figures(mesh);
     EXPECT_GE(f.smallest_angle, 28 * kDegree);
+    EXPECT_GE(f.mean_angle, 51 * kDegree);
     EXPECT_LE(f.longest, 0.01 * (1 + 1e-9));
     EXPECT_NEAR(f.area, area, 1e-12);
     for (std::size_t v = 0; v < graph.points.size(); ++v) {
