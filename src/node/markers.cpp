@@ -64,6 +64,20 @@ Eigen::Vector3d areaVector(const Points& points, const Corners& v) {
   return ab.cross(ac);
 }
 
+template <class Indices>
+bool allBelow(const Indices& indices, std::size_t count) {
+  return std::all_of(indices.begin(), indices.end(), [&](auto i) { return i < count; });
+}
+
+/// A recorded sheet may be anyone's.
+bool allVerticesExist(const msg::Sheet& sheet) {
+  const std::size_t count = sheet.flat_positions.size();
+  return std::all_of(sheet.triangles.begin(), sheet.triangles.end(),
+                     [&](const auto& t) { return allBelow(t.vertex_indices, count); }) &&
+         std::all_of(sheet.creases.begin(), sheet.creases.end(),
+                     [&](const auto& c) { return allBelow(c.vertices, count); });
+}
+
 /// An empty marker deletes the one it would replace, since rviz warns of lists without points.
 Marker finished(Marker marker) {
   if (marker.points.empty()) marker.action = Marker::DELETE;
@@ -84,9 +98,9 @@ Marker newMarker(const std::string& name, int type, const std_msgs::Header& head
 }  // namespace
 
 void MarkerPainter::setSheet(const msg::Sheet& sheet) {
-  sheet_ = sheet;
+  sheet_ = allVerticesExist(sheet) ? sheet : msg::Sheet();
   std::map<std::array<std::uint32_t, 2>, int> sides;
-  for (const auto& triangle : sheet.triangles) {
+  for (const auto& triangle : sheet_.triangles) {
     const auto& v = triangle.vertex_indices;
     for (int k = 0; k < 3; ++k) {
       const auto [a, b] = std::minmax(v[k], v[(k + 1) % 3]);
@@ -97,12 +111,12 @@ void MarkerPainter::setSheet(const msg::Sheet& sheet) {
   for (const auto& [edge, count] : sides) {
     if (count == 1) border_.push_back(edge);
   }
-  on_crease_.assign(sheet.flat_positions.size(), false);
-  for (const msg::Crease& crease : sheet.creases) {
+  on_crease_.assign(sheet_.flat_positions.size(), false);
+  for (const msg::Crease& crease : sheet_.creases) {
     for (const std::uint32_t v : crease.vertices) on_crease_[v] = true;
   }
   Eigen::Array2d low = Eigen::Array2d::Constant(HUGE_VAL), high = -low;
-  for (const auto& p : sheet.flat_positions) {
+  for (const auto& p : sheet_.flat_positions) {
     low = low.min(Eigen::Array2d(p.x, p.y));
     high = high.max(Eigen::Array2d(p.x, p.y));
   }
@@ -112,7 +126,8 @@ void MarkerPainter::setSheet(const msg::Sheet& sheet) {
 bool MarkerPainter::fits(const msg::SheetState& state) const {
   return state.revision == sheet_.revision && !sheet_.triangles.empty() &&
          state.positions.size() == sheet_.flat_positions.size() &&
-         state.creases.size() == sheet_.creases.size();
+         state.creases.size() == sheet_.creases.size() &&
+         allBelow(state.pinned, state.positions.size());
 }
 
 visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state) {

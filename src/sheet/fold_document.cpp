@@ -159,7 +159,9 @@ std::vector<Vector3> FoldDocument::points(int frame) const {
     }
     Vector3 p = Vector3::Zero();
     for (std::size_t k = 0; k < item.size(); ++k) p[k] = readNumber(item[k], where);
-    if (!(p.cwiseAbs().maxCoeff() < 1e100)) refuse(where, " is ", shown(item), ", far off any paper");
+    if (!(p.cwiseAbs().maxCoeff() < 1e100)) {
+      refuse(where, " is ", shown(item), ", far off any paper");
+    }
     points.push_back(p);
   }
   return points;

@@ -123,7 +123,8 @@ Triangulation triangulateRectangle(double width, double height, double max_edge)
   checkCount(2 * (width / edge) * (height / edge), max_edge);
 
   const bool turned = height > width;  // rows along the longer side
-  const RowPlan plan = turned ? planRows(height, width, max_edge) : planRows(width, height, max_edge);
+  const RowPlan plan =
+      turned ? planRows(height, width, max_edge) : planRows(width, height, max_edge);
 
   PlanarGraph graph;
   graph.points = {{0, 0}, {width, 0}, {width, height}, {0, height}};

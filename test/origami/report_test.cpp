@@ -40,7 +40,8 @@ std::string failure(Call call) {
 }
 
 void expectWithin(const std::string& sentence, const std::string& part) {
-  EXPECT_NE(sentence.find(part), std::string::npos) << "'" << sentence << "' lacks '" << part << "'";
+  EXPECT_NE(sentence.find(part), std::string::npos)
+      << "'" << sentence << "' lacks '" << part << "'";
 }
 
 class Report : public testing::Test {

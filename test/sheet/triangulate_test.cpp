@@ -58,7 +58,8 @@ std::string refusal(Call call) {
 }
 
 void expectWithin(const std::string& sentence, const std::string& part) {
-  EXPECT_NE(sentence.find(part), std::string::npos) << "'" << sentence << "' lacks '" << part << "'";
+  EXPECT_NE(sentence.find(part), std::string::npos)
+      << "'" << sentence << "' lacks '" << part << "'";
 }
 
 TEST(TriangulateRectangle, isNearEquilateralWithinMaxEdge) {
@@ -156,6 +157,14 @@ TEST(Triangulate, generalOutlinesAreEvenWithinMaxEdge) {
       EXPECT_EQ(mesh.points()[v], graph.points[v]);
     }
   }
+}
+
+TEST(Triangulate, outlinesFinerThanMaxEdgeGetFineTrianglesAlong) {
+  std::vector<Vector2> circle;
+  for (int i = 0; i < 100; ++i) {
+    circle.emplace_back(0.1 * std::cos(i * M_PI / 50), 0.1 * std::sin(i * M_PI / 50));
+  }
+  EXPECT_GE(figures(triangulate(polygon(circle), 0.05)).smallest_angle, 20 * kDegree);
 }
 
 TEST(Triangulate, sharpCornersAreLeftSharp) {
