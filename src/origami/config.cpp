@@ -23,7 +23,7 @@ void checkConfig(const SimulationConfig& config) {
   checkRange("material/poisson_ratio", config.material.poisson_ratio, 0, 0.49);
   checkPositive("material/thickness", config.material.thickness);
   checkPositive("material/density", config.material.density);
-  checkPositive("material/crease_stiffness", config.material.crease_stiffness);
+  checkRange("material/crease_stiffness", config.material.crease_stiffness, 1e-9, 100);
   checkRange("material/air_damping", config.material.air_damping, 0, 1e6);
   for (int i = 0; i < 3; ++i) checkRange("gravity", config.gravity[i], -1e4, 1e4);
   checkRange("solver/time_step", config.solver.time_step, 1e-6, 1);

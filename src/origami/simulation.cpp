@@ -11,6 +11,9 @@ namespace {
 
 /// A free crease has this part of a crease's stiffness: it follows whatever pulls at it.
 constexpr double kFreeCreaseSoftness = 0.01;
+/// Beyond this [N*m/rad per m], 20,000 times a paper's crease, the matrix of a step is too badly
+/// conditioned to be factorized.
+constexpr double kStiffest = 100;
 /// Slower than these parts of the sheet's size per second (squared), nothing is seen to move.
 constexpr double kSettledSpeed = 0.005;
 constexpr double kSettledAcceleration = 0.1;
@@ -27,8 +30,9 @@ void checkFold(const FoldRequest& request) {
   if (request.duration && !(*request.duration >= 0 && std::isfinite(*request.duration))) {
     refuse("duration ", *request.duration, " s is negative or not finite");
   }
-  if (request.stiffness && !(*request.stiffness > 0 && std::isfinite(*request.stiffness))) {
-    refuse("stiffness ", *request.stiffness, " N*m/rad per m is not positive and finite");
+  if (request.stiffness && !(*request.stiffness > 0 && *request.stiffness <= kStiffest)) {
+    refuse("stiffness ", *request.stiffness, " N*m/rad per m is not positive and at most ",
+           kStiffest);
   }
 }
 
@@ -200,11 +204,13 @@ void Simulation::checkVertex(std::int64_t vertex) const {
 std::vector<int> Simulation::verticesAt(const PinWhere& where) const {
   std::set<int> found;
   if (const auto* ids = std::get_if<std::vector<std::int64_t>>(&where)) {
+    if (ids->empty()) refuse("no vertices are given");
     for (std::int64_t v : *ids) {
       checkVertex(v);
       found.insert(static_cast<int>(v));
     }
   } else if (const auto* points = std::get_if<std::vector<Vector2>>(&where)) {
+    if (points->empty()) refuse("no points are given");
     for (const Vector2& p : *points) {
       if (!p.allFinite()) refuse("the point (", p.x(), ", ", p.y(), ") is not finite");
       if (!sheet_.triangulation().locate(p, 1e-6 * sheet_.size())) {
@@ -224,6 +230,10 @@ std::vector<int> Simulation::verticesAt(const PinWhere& where) const {
         found.insert(v);
       }
     }
+    if (found.empty()) {
+      const Vector2& corner = region->corners[0];
+      refuse("no vertex lies in the region that starts at (", corner.x(), ", ", corner.y(), ")");
+    }
   } else {
     const Ball& ball = std::get<Ball>(where);
     if (!ball.center.allFinite()) refuse("the center of the ball is not finite");
@@ -233,8 +243,11 @@ std::vector<int> Simulation::verticesAt(const PinWhere& where) const {
     for (int v = 0; v < sheet_.vertexCount(); ++v) {
       if ((motion_.positions.col(v) - ball.center).norm() <= ball.radius) found.insert(v);
     }
+    if (found.empty()) {
+      refuse("no vertex is within ", ball.radius, " m of (", ball.center.x(), ", ",
+             ball.center.y(), ", ", ball.center.z(), ")");
+    }
   }
-  if (found.empty()) refuse("no vertex lies there");
   return {found.begin(), found.end()};
 }
 

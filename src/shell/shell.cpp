@@ -97,7 +97,7 @@ double Shell::bendingEnergy(const Positions& x) const {
   return energy;
 }
 
-double Shell::gravityEnergy(const Positions& x) const { return -gravity_.dot(x * masses_); }
+double Shell::gravityEnergy(const Positions& x) const { return 0 - gravity_.dot(x * masses_); }
 
 double Shell::foldAngle(int hinge, const Positions& x) const {
   return shell_origami::foldAngle(pointsOf(hinges_[hinge], x));

@@ -166,7 +166,7 @@ TEST(Simulation, RefusedEditsChangeNothing) {
   std::vector<FoldRequest> bad;
   for (const double angle : {M_PI, -M_PI, 4.0, nan, HUGE_VAL}) bad.push_back(diagonal(angle));
   for (const double duration : {-1.0, nan, HUGE_VAL}) bad.push_back(diagonal(1, duration));
-  for (const double stiffness : {0.0, -1.0, nan}) {
+  for (const double stiffness : {0.0, -1.0, nan, HUGE_VAL, 1e9}) {
     bad.push_back(diagonal(1));
     bad.back().stiffness = stiffness;
   }

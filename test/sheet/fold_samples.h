@@ -23,10 +23,22 @@ inline std::string patternPath(const std::string& name) {
   return (folder / "patterns" / (name + ".fold")).string();
 }
 
+/// A file of its own for this program, gone with it.
+class ScratchFile {
+ public:
+  ~ScratchFile() { std::filesystem::remove(path_); }
+  std::string write(const std::string& text) const {
+    std::ofstream(path_) << text;
+    return path_;
+  }
+
+ private:
+  std::string path_ = testing::TempDir() + "fold_samples." + std::to_string(getpid()) + ".fold";
+};
+
 inline std::string scratch(const std::string& text) {
-  const std::string path = testing::TempDir() + "fold_samples." + std::to_string(getpid()) + ".fold";
-  std::ofstream(path) << text;
-  return path;
+  static const ScratchFile file;
+  return file.write(text);
 }
 
 inline FoldPaper read(const json& document, double scale = 1, double max_edge = 0) {
