@@ -30,3 +30,7 @@ isolate_ros() {
   unset ROS_HOSTNAME ROS_MASTER_URI ROS_LOG_DIR
   export ROS_IP=127.0.0.1 ROS_HOME=$root/build/ros
 }
+
+free_port() {
+  python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
+}

@@ -13,7 +13,7 @@ namespace {
 
 FoldPaper readPaper(const SheetSource& source) {
   if (!source.pattern.empty()) return readFold(source.pattern, {source.scale, source.max_edge});
-  return {Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), {}, {}, {}};
+  return {Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), {}, {}};
 }
 
 Eigen::Isometry3d poseOf(const SheetSource& source) {

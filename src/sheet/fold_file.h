@@ -22,9 +22,6 @@ struct FoldReadOptions {
 /// A paper as a FOLD file describes it.
 struct FoldPaper {
   Sheet sheet;
-  /// What the file asks of each crease [rad], valley > 0; NaN: nothing (a free crease).
-  /// M and V in a file without fold angles ask for -pi and pi; null, and U with 0, for nothing.
-  std::vector<double> pattern_angles;
   /// Where the paper is in space: the file's last folded form, when the file's own vertices are
   /// kept (max_edge 0) and it is not folded flat (an edge beyond 179.9 degrees).
   std::optional<Positions> positions;
@@ -33,7 +30,8 @@ struct FoldPaper {
 };
 
 /// Reads a crease pattern. Creases are grouped into straight lines named crease_0, crease_1, ...
-/// or as the file names them (our own files do).
+/// or as the file names them (our own files do). Their pattern_angle is what the file asks of them:
+/// M and V in a file without fold angles ask for -pi and pi; null, and U with 0, for nothing.
 /// \throws std::invalid_argument with one sentence that names the file and the place.
 FoldPaper readFold(const std::string& path, const FoldReadOptions& options = {});
 

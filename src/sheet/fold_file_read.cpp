@@ -79,7 +79,7 @@ std::vector<Crease> meshCreases(const CreasePattern& pattern, const GraphMesh& m
   }
   std::vector<Crease> creases;
   for (const PatternCrease& line : lines) {
-    Crease crease{line.id, line.name, {line.vertices.front()}};
+    Crease crease{line.id, line.name, {line.vertices.front()}, line.angle};
     for (std::size_t k = 1; k < line.vertices.size(); ++k) {
       std::vector<int> chain = mesh.chains[edge_at.at({line.vertices[k - 1], line.vertices[k]})];
       if (chain.front() != crease.vertices.back()) std::reverse(chain.begin(), chain.end());
@@ -161,7 +161,7 @@ void readFoldedForm(const FoldDocument& document, const CreasePattern& pattern, 
   }
   paper.rest_angles = meanAngles(paper.sheet, positions);
   for (std::size_t i = 0; i < paper.rest_angles.size(); ++i) {
-    const double asked = paper.pattern_angles[i];
+    const double asked = paper.sheet.creases()[i].pattern_angle;
     if (i < pattern.noted.size() || std::isnan(asked)) paper.rest_angles[i] = asked;
   }
   paper.positions = std::move(positions);
@@ -175,8 +175,7 @@ FoldPaper readDocument(const FoldDocument& document, const FoldReadOptions& opti
 
   const GraphMesh mesh = meshPattern(pattern, options.max_edge);
   const std::vector<PatternCrease> lines = gatherCreases(pattern);
-  FoldPaper paper{Sheet(mesh.triangulation, meshCreases(pattern, mesh, lines)), {}, {}, {}};
-  for (const PatternCrease& line : lines) paper.pattern_angles.push_back(line.angle);
+  FoldPaper paper{Sheet(mesh.triangulation, meshCreases(pattern, mesh, lines)), {}, {}};
   paper.sheet.validate();
   if (options.max_edge == 0) readFoldedForm(document, pattern, metres, paper);
   return paper;

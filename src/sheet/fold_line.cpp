@@ -19,10 +19,10 @@ FoldLine makeFoldLine(Sheet& sheet, const Line& line, const std::string& name,
   const int from = editor.insertPoint(line[0]);
   const int to = editor.insertPoint(line[1]);
   if (from == to) refuse("both ends of the line are vertex ", from);
-  const std::vector<int> polyline = editor.insertSegment(from, to);
-  if (editor.runsAlongBorder(polyline)) refuse("the line runs along the border of the paper");
+  const std::vector<std::vector<int>> parts = editor.insertLine(from, to);
+  if (parts.empty()) refuse("the line runs along the border of the paper");
   improve(editor.mesh());
-  return editor.commit(sheet, polyline, name);
+  return editor.commit(sheet, parts, name);
 }
 
 AddedVertex addVertex(Sheet& sheet, int a, int b, double fraction) {

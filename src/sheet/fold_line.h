@@ -22,7 +22,8 @@ struct EditContext {
 /// What makeFoldLine did.
 struct FoldLine {
   std::vector<std::uint32_t> crease_ids;  ///< creases on the line, in order from its start
-  std::vector<int> vertices;              ///< the polyline in order
+  std::vector<int> vertices;              ///< the polyline in order, one part after the other
+  int parts = 1;                          ///< of the line that lie on the paper
   Remap remap;
 };
 
@@ -36,7 +37,7 @@ struct FoldLine {
 /// become one new crease called `name` (a name of its own if empty).
 /// Bumps the revision. On any error the sheet is untouched.
 /// \throws std::invalid_argument when an end is not finite or off the paper, the ends coincide,
-///         the line leaves the paper between them, or runs along the border only.
+///         or the line runs along the border only.
 FoldLine makeFoldLine(Sheet& sheet, const Line& line, const std::string& name = "",
                       const EditContext& context = {});
 

@@ -1,4 +1,5 @@
 #include "sheet/material_mesh.h"
+#include "sheet/mesh_refine.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,13 @@ namespace {
 /// Triangles whose smallest angle is below this are worth work.
 constexpr double kGoodAngle = 30 * M_PI / 180;
 constexpr int kPasses = 6;
+/// Angles below this, that the creases do not force, are refined away ...
+constexpr double kLeastAngle = 16 * M_PI / 180;
+/// ... in triangles larger than this part of the sheet: finer features are the lines' own.
+constexpr double kFinest = 1e-6;
+/// Splits that one sliver may ask for. Where the paper is bent edges are not flipped, and splitting
+/// alone would go on for ever.
+constexpr int kMostSplits = 40;
 
 std::vector<int> sortedUnique(std::vector<int> values) {
   std::sort(values.begin(), values.end());
@@ -88,24 +96,57 @@ bool smooth(MaterialMesh& mesh, int v) {
   return false;
 }
 
+/// Splits edges until no triangle at the vertices is a sliver that the creases do not force.
+void refineAround(MaterialMesh& mesh, const std::vector<int>& vertices) {
+  const double finest = kFinest * mesh.size();
+  std::deque<std::pair<int, int>> queue;  // vertex, splits left
+  for (int v : vertices) queue.emplace_back(v, kMostSplits);
+  while (!queue.empty()) {
+    const auto [v, splits] = queue.front();
+    queue.pop_front();
+    if (splits == 0) continue;
+    for (int t : mesh.flat().around(v)) {
+      if (!isSliver(mesh.flat(), t, kLeastAngle) || longestEdge(mesh.flat(), t) < finest) continue;
+      const Triangulation::Side side = terminalEdge(mesh.flat(), t);
+      const auto [a, b] = mesh.flat().ends(side);
+      const int middle = mesh.splitEdge(side, (mesh.point(a) + mesh.point(b)) / 2);
+      flipAround(mesh, {middle});
+      queue.emplace_back(v, splits - 1);
+      queue.emplace_back(middle, splits - 1);
+      break;
+    }
+  }
+}
+
+/// The vertices and their neighbours.
+std::vector<int> grown(const MaterialMesh& mesh, const std::vector<int>& region) {
+  std::vector<int> ring = region;
+  for (int v : region) {
+    for (int t : mesh.flat().around(v)) {
+      const Triangle& c = mesh.flat().triangles()[t];
+      ring.insert(ring.end(), c.begin(), c.end());
+    }
+  }
+  return sortedUnique(std::move(ring));
+}
+
+void flipAndSmooth(MaterialMesh& mesh) {
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const std::vector<int> region = sortedUnique(mesh.touched());
+    flipAround(mesh, region);
+    bool moved = false;
+    for (int v : grown(mesh, region)) moved |= smooth(mesh, v);
+    if (!moved) break;
+  }
+}
+
 }  // namespace
 
 void improve(MaterialMesh& mesh) {
-  std::vector<int> region = sortedUnique(mesh.touched());
-  for (int pass = 0; pass < kPasses; ++pass) {
-    flipAround(mesh, region);
-    std::vector<int> ring = region;
-    for (int v : region) {
-      for (int t : mesh.flat().around(v)) {
-        const Triangle& c = mesh.flat().triangles()[t];
-        ring.insert(ring.end(), c.begin(), c.end());
-      }
-    }
-    bool moved = false;
-    for (int v : sortedUnique(ring)) moved |= smooth(mesh, v);
-    if (!moved) break;
-    region = sortedUnique(mesh.touched());
-  }
+  flipAndSmooth(mesh);
+  refineAround(mesh, sortedUnique(mesh.touched()));
+  flipAndSmooth(mesh);
+  refineAround(mesh, sortedUnique(mesh.touched()));
 }
 
 }  // namespace shell_origami

@@ -11,8 +11,9 @@ namespace {
 
 using Side = Triangulation::Side;
 
-/// sin^2 of the smallest angle of a triangle that is left alone: 20.7 degrees, CGAL's default.
-constexpr double kShapeBound = 0.125;
+/// The smallest angle of a triangle that is left alone [rad]: CGAL's default, sin^2 of which is
+/// 1/8.
+constexpr double kShapeBound = 0.3614;
 /// A sliver whose edges are all shorter than this part of the longest edge allowed is left alone:
 /// features finer than that are the pattern's own.
 constexpr double kShapeSize = 0.4;
@@ -38,33 +39,49 @@ bool fixedSide(const Triangulation& mesh, Side side) {
          mesh.label(side) != Triangulation::kNone;
 }
 
-/// sin^2 of the angle at corner k.
-double sineSquared(const Triangulation& mesh, int triangle, int k) {
+/// The angle at corner k [rad].
+double angleAt(const Triangulation& mesh, int triangle, int k) {
   const Triangle& t = mesh.triangles()[triangle];
   const Vector2 &p = mesh.points()[t[k]], &q = mesh.points()[t[(k + 1) % 3]],
                 &r = mesh.points()[t[(k + 2) % 3]];
-  const double area2 = doubleArea(p, q, r);
-  return area2 * area2 / ((q - p).squaredNorm() * (r - p).squaredNorm());
+  return std::atan2(doubleArea(p, q, r), (q - p).dot(r - p));
 }
 
-bool sliver(const Triangulation& mesh, int triangle) {
+}  // namespace
+
+bool isSliver(const Triangulation& mesh, int triangle, double least) {
   int sharpest = 0;
-  double sine = 2;
+  double smallest = M_PI;
   for (int k = 0; k < 3; ++k) {
-    // The angle opposite the longest side is never the smallest.
-    const double now = sineSquared(mesh, triangle, k);
-    if (k == longestSide(mesh, triangle).edge || now >= sine) continue;
-    sine = now;
+    const double angle = angleAt(mesh, triangle, k);
+    if (angle >= smallest) continue;
+    smallest = angle;
     sharpest = k;
   }
   const Side left{triangle, (sharpest + 1) % 3}, right{triangle, (sharpest + 2) % 3};
-  return sine < kShapeBound && !(fixedSide(mesh, left) && fixedSide(mesh, right));
+  return smallest < least && !(fixedSide(mesh, left) && fixedSide(mesh, right));
 }
 
+Side terminalEdge(const Triangulation& mesh, int triangle) {
+  Side side = longestSide(mesh, triangle);
+  while (!fixedSide(mesh, side)) {
+    const Side next = longestSide(mesh, mesh.neighbour(side));
+    if (!(length(mesh, next) > length(mesh, side) * (1 + 1e-12))) break;
+    side = next;
+  }
+  return side;
+}
+
+double longestEdge(const Triangulation& mesh, int triangle) {
+  return length(mesh, longestSide(mesh, triangle));
+}
+
+namespace {
+
 bool bad(const Triangulation& mesh, int triangle, double longest) {
-  const double edge = length(mesh, longestSide(mesh, triangle));
+  const double edge = longestEdge(mesh, triangle);
   if (edge > longest * (1 + 1e-12)) return true;
-  return edge > kShapeSize * longest && sliver(mesh, triangle);
+  return edge > kShapeSize * longest && isSliver(mesh, triangle, kShapeBound);
 }
 
 /// Whether the other diagonal is Delaunay: the angles opposite the edge sum to more than pi.
@@ -97,17 +114,6 @@ void flipAround(Triangulation& mesh, int v) {
     stack.push_back(t);
     mesh.flip(side);
   }
-}
-
-/// The edge to split for a bad triangle: the end of its path of ever longer edges.
-Side terminalEdge(const Triangulation& mesh, int triangle) {
-  Side side = longestSide(mesh, triangle);
-  while (!fixedSide(mesh, side)) {
-    const Side next = longestSide(mesh, mesh.neighbour(side));
-    if (!(length(mesh, next) > length(mesh, side) * (1 + 1e-12))) break;
-    side = next;
-  }
-  return side;
 }
 
 }  // namespace

@@ -14,9 +14,18 @@ void checkMaxEdge(double max_edge);
 /// \throws std::invalid_argument when there would be more than kMostTriangles
 void checkCount(double triangles, double max_edge);
 
+/// Whether the triangle has an angle below `least` [rad] that labelled edges and border do not
+/// force on it.
+bool isSliver(const Triangulation& mesh, int triangle, double least);
+
+/// The edge to split for a bad triangle: the end of its path of ever longer edges (Rivara 1997).
+Triangulation::Side terminalEdge(const Triangulation& mesh, int triangle);
+
+double longestEdge(const Triangulation& mesh, int triangle);
+
 /// Splits edges at their middle until none is longer than `longest` and no triangle is a sliver,
 /// other than between two labelled edges, unless all its edges are short beside `longest`.
-/// Follows the longest-edge path of each bad triangle (Rivara 1997), flipping to Delaunay.
+/// Flips to Delaunay as it goes.
 /// \throws std::invalid_argument when it takes more than kMostTriangles.
 void refineMesh(Triangulation& mesh, double longest);
 

@@ -107,13 +107,40 @@ std::optional<int> SheetEditor::nextOnLine(int current, int to, const Line& line
   return std::nullopt;
 }
 
-Triangulation::Side SheetEditor::crossedSide(int current, const Line& line) const {
+/// The side of a triangle at `current` that the line goes through. None where it leaves the paper.
+std::optional<Triangulation::Side> SheetEditor::crossedSide(int current, const Line& line) const {
   for (int t : mesh_.flat().around(current)) {
     const Triangulation::Side side{t, mesh_.flat().cornerOf(t, current)};
     const auto [right, left] = mesh_.flat().ends(side);
     if (offLine(mesh_.point(right), line) < 0 && offLine(mesh_.point(left), line) > 0) return side;
   }
-  refuse("the line leaves the paper at ", text(mesh_.point(current)));
+  return std::nullopt;
+}
+
+/// The vertex where the line, which left the paper at `current`, first meets it again.
+int SheetEditor::reenter(int current, const Line& line) {
+  const Vector2 along = (line[1] - line[0]).normalized();
+  double nearest = std::numeric_limits<double>::infinity();
+  Vector2 entry = line[1];
+  const auto consider = [&](const Vector2& p) {
+    const double ahead = along.dot(p - mesh_.point(current));
+    if (ahead <= mesh_.snap() || ahead >= nearest) return;
+    nearest = ahead;
+    entry = p;
+  };
+  const Triangulation& mesh = mesh_.flat();
+  for (int t = 0; t < static_cast<int>(mesh.triangles().size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (mesh.neighbour({t, k}) != Triangulation::kNone) continue;
+      const auto [a, b] = mesh.ends({t, k});
+      const Vector2 &p = mesh_.point(a), &q = mesh_.point(b);
+      const double offset_p = offLine(p, line), offset_q = offLine(q, line);
+      if (std::abs(offset_p) <= mesh_.snap()) consider(p);
+      if (std::abs(offset_q) <= mesh_.snap()) consider(q);
+      if (offset_p * offset_q < 0) consider(intersection(p, q, line));
+    }
+  }
+  return insertPoint(entry);
 }
 
 /// Shifts an end of the crossed edge onto the line if one is close to it.
@@ -144,10 +171,15 @@ bool SheetEditor::pullOntoLine(int current, const std::array<int, 2>& ends, cons
   return false;
 }
 
-std::vector<int> SheetEditor::insertSegment(int from, int to) {
+std::vector<std::vector<int>> SheetEditor::insertLine(int from, int to) {
   const Line line{mesh_.point(from), mesh_.point(to)};
+  std::vector<std::vector<int>> parts;
   std::vector<int> polyline{from};
-  // Each turn of the loop brings the line forward by a vertex or pulls one onto it.
+  const auto finish = [&] {
+    for (auto& part : partsInside(polyline)) parts.push_back(std::move(part));
+  };
+  // Each turn of the loop brings the line forward by a vertex, pulls one onto it, or splits the
+  // edge ahead.
   while (polyline.back() != to) {
     const int current = polyline.back();
     if (const auto next = nextOnLine(current, to, line)) {
@@ -155,30 +187,47 @@ std::vector<int> SheetEditor::insertSegment(int from, int to) {
       protected_.push_back(*next);
       continue;
     }
-    const Triangulation::Side side = crossedSide(current, line);
-    const auto ends = mesh_.flat().ends(side);
+    const auto side = crossedSide(current, line);
+    if (!side) {
+      finish();
+      polyline = {reenter(current, line)};
+      continue;
+    }
+    const auto ends = mesh_.flat().ends(*side);
     if (pullOntoLine(current, ends, line)) continue;
-    mesh_.splitEdge(side, intersection(mesh_.point(ends[0]), mesh_.point(ends[1]), line));
+    mesh_.splitEdge(*side, intersection(mesh_.point(ends[0]), mesh_.point(ends[1]), line));
   }
-  label(polyline);
-  return polyline;
+  finish();
+  label(parts);
+  return parts;
 }
 
-bool SheetEditor::runsAlongBorder(const std::vector<int>& polyline) const {
+/// The runs of edges that have paper on both sides.
+std::vector<std::vector<int>> SheetEditor::partsInside(const std::vector<int>& polyline) const {
+  std::vector<std::vector<int>> parts;
+  bool open = false;
   for (std::size_t i = 1; i < polyline.size(); ++i) {
     const auto side = mesh_.flat().findSide(polyline[i - 1], polyline[i]);
-    if (mesh_.flat().neighbour(*side) != Triangulation::kNone) return false;
+    if (mesh_.flat().neighbour(*side) == Triangulation::kNone) {
+      open = false;
+      continue;
+    }
+    if (!open) parts.push_back({polyline[i - 1]});
+    parts.back().push_back(polyline[i]);
+    open = true;
   }
-  return true;
+  return parts;
 }
 
-void SheetEditor::label(const std::vector<int>& polyline) {
+void SheetEditor::label(const std::vector<std::vector<int>>& parts) {
   const Triangulation& mesh = mesh_.flat();
   std::map<int, std::size_t> covered;
   std::vector<Triangulation::Side> sides;
-  for (std::size_t i = 1; i < polyline.size(); ++i) {
-    sides.push_back(*mesh.findSide(polyline[i - 1], polyline[i]));
-    ++covered[mesh.label(sides.back())];
+  for (const std::vector<int>& part : parts) {
+    for (std::size_t i = 1; i < part.size(); ++i) {
+      sides.push_back(*mesh.findSide(part[i - 1], part[i]));
+      ++covered[mesh.label(sides.back())];
+    }
   }
   std::map<int, std::size_t> whole;
   for (int t = 0; t < static_cast<int>(mesh.triangles().size()); ++t) {
@@ -189,7 +238,6 @@ void SheetEditor::label(const std::vector<int>& polyline) {
   std::map<int, int> new_label;
   for (const auto& side : sides) {
     const int old = mesh.label(side);
-    if (mesh.neighbour(side) == Triangulation::kNone) continue;
     if (old != Triangulation::kNone && covered[old] == whole[old]) continue;
     if (!new_label.count(old)) {
       const bool fresh = old == Triangulation::kNone;
@@ -197,29 +245,62 @@ void SheetEditor::label(const std::vector<int>& polyline) {
     }
   }
   for (const auto& side : sides) {
-    if (mesh.neighbour(side) == Triangulation::kNone) continue;
     const auto relabelled = new_label.find(mesh.label(side));
     if (relabelled != new_label.end()) mesh_.setLabel(side, relabelled->second);
   }
 }
 
-FoldLine SheetEditor::commit(Sheet& sheet, const std::vector<int>& polyline,
+namespace {
+
+/// The vertices along the labelled edges from a straight to b.
+std::vector<int> chainBetween(const Triangulation& mesh, int a, int b) {
+  std::vector<int> chain{a};
+  const Vector2 along = (mesh.points()[b] - mesh.points()[a]).normalized();
+  while (chain.back() != b) {
+    const int current = chain.back();
+    int best = b;
+    double straightest = -1;
+    for (int t : mesh.around(current)) {
+      for (int k = 0; k < 3; ++k) {
+        const auto [p, q] = mesh.ends({t, k});
+        if (mesh.label({t, k}) == Triangulation::kNone || (p != current && q != current)) continue;
+        const int far = p == current ? q : p;
+        const double straight = along.dot((mesh.points()[far] - mesh.points()[current]).normalized());
+        if (straight <= straightest) continue;
+        straightest = straight;
+        best = far;
+      }
+    }
+    chain.push_back(best);
+  }
+  return chain;
+}
+
+}  // namespace
+
+FoldLine SheetEditor::commit(Sheet& sheet, const std::vector<std::vector<int>>& parts,
                              const std::string& name) {
   FoldLine result;
-  result.vertices = polyline;
+  result.parts = static_cast<int>(parts.size());
   traceVertices(sheet, result.remap);
-  std::vector<Crease> creases = gatherCreases(sheet, polyline, name, result.remap);
+  std::vector<Crease> creases = gatherCreases(sheet, parts, name, result.remap);
 
   Sheet edited(mesh_.flat(), std::move(creases));
   edited.setRevision(sheet.revision() + 1);
   edited.next_crease_id_ = std::max(edited.next_crease_id_, sheet.next_crease_id_);
-  for (std::size_t i = 1; i < polyline.size(); ++i) {
-    const int crease = edited.triangulation().label(
-        *edited.triangulation().findSide(polyline[i - 1], polyline[i]));
-    if (crease < 0) continue;
-    const std::uint32_t id = edited.creases()[crease].id;
-    auto& ids = result.crease_ids;
-    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+  // Of a crease the line is a whole part or nothing, so that the creases on it, laid end to end,
+  // are the line's vertices, those that improving added among them.
+  const Triangulation& mesh = edited.triangulation();
+  for (const std::vector<int>& part : parts) {
+    for (std::size_t i = 1; i < part.size(); ++i) {
+      const std::vector<int> chain = chainBetween(mesh, part[i - 1], part[i]);
+      const int crease = mesh.label(*mesh.findSide(chain[0], chain[1]));
+      const std::uint32_t id = edited.creases()[crease].id;
+      auto& ids = result.crease_ids;
+      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+      if (i == 1) result.vertices.push_back(part[0]);
+      result.vertices.insert(result.vertices.end(), chain.begin() + 1, chain.end());
+    }
   }
   sheet = std::move(edited);
   return result;
@@ -258,7 +339,8 @@ std::vector<std::vector<int>> runsAlong(std::vector<std::array<int, 2>> edges,
 
 }  // namespace
 
-std::vector<Crease> SheetEditor::gatherCreases(Sheet& sheet, const std::vector<int>& polyline,
+std::vector<Crease> SheetEditor::gatherCreases(Sheet& sheet,
+                                               const std::vector<std::vector<int>>& parts,
                                                const std::string& name, Remap& remap) {
   const Triangulation& mesh = mesh_.flat();
   std::map<int, std::vector<std::array<int, 2>>> edges;
@@ -276,8 +358,12 @@ std::vector<Crease> SheetEditor::gatherCreases(Sheet& sheet, const std::vector<i
   for (const auto& [label, own] : edges) {
     const bool is_old = label < old_count;
     const auto parent = is_old ? std::optional<int>(label) : new_creases_[label - old_count].parent;
-    const std::vector<int>& line = parent ? old_creases_[*parent].vertices : polyline;
-    const Vector2 direction = mesh.points()[line.back()] - mesh.points()[line.front()];
+    const auto [first, last] =
+        parent ? std::make_pair(old_creases_[*parent].vertices.front(),
+                                old_creases_[*parent].vertices.back())
+               : std::make_pair(parts.front().front(), parts.back().back());
+    const Vector2 direction = mesh.points()[last] - mesh.points()[first];
+    const std::string own_name = "fold_" + std::to_string(next_id);
     bool keeps_id = is_old;
     for (std::vector<int>& run : runsAlong(own, mesh.points(), direction)) {
       Crease crease;
@@ -285,7 +371,7 @@ std::vector<Crease> SheetEditor::gatherCreases(Sheet& sheet, const std::vector<i
       const bool named = !is_old && !name.empty();
       crease.name = named    ? name
                     : parent ? old_creases_[*parent].name
-                             : "fold_" + std::to_string(crease.id);
+                             : own_name;
       crease.vertices = std::move(run);
       if (parent) crease.pattern_angle = old_creases_[*parent].pattern_angle;
       if (parent && !keeps_id) remap.born.push_back({crease.id, old_creases_[*parent].id});

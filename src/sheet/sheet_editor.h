@@ -17,16 +17,15 @@ class SheetEditor {
   /// The vertex at p: one that is there, one close by that may be shifted there, or a new one.
   /// \throws std::invalid_argument off the paper
   int insertPoint(const Vector2& p);
-  /// Makes the straight line from one vertex to another run along edges and returns its vertices
-  /// in order. Edges that carried no crease form a new one.
-  /// \throws std::invalid_argument when the line leaves the paper
-  std::vector<int> insertSegment(int from, int to);
-  bool runsAlongBorder(const std::vector<int>& polyline) const;
+  /// Makes the straight line from one vertex to another run along edges and returns the vertices
+  /// of its parts inside the paper, in order. Edges that carried no crease form a new one.
+  std::vector<std::vector<int>> insertLine(int from, int to);
   MaterialMesh& mesh() { return mesh_; }
 
   /// Gives the edit to the sheet and bumps its revision. Creases are gathered from the labels;
   /// `name` goes to those that are new on the polyline.
-  FoldLine commit(Sheet& sheet, const std::vector<int>& polyline, const std::string& name);
+  FoldLine commit(Sheet& sheet, const std::vector<std::vector<int>>& parts,
+                  const std::string& name);
 
  private:
   /// A crease under way: the parent it was cut off, or none.
@@ -35,13 +34,15 @@ class SheetEditor {
   };
   int addCrease(std::optional<int> parent);
   std::optional<int> nextOnLine(int current, int to, const Line& line) const;
-  Triangulation::Side crossedSide(int current, const Line& line) const;
+  std::optional<Triangulation::Side> crossedSide(int current, const Line& line) const;
+  int reenter(int current, const Line& line);
   bool pullOntoLine(int current, const std::array<int, 2>& ends, const Line& line);
   /// Shifts v to p if that changes neither outline, creases nor shape and leaves no sliver.
   bool shiftTo(int v, const Vector2& p);
   int vertexAt(const Vector2& p);
-  void label(const std::vector<int>& polyline);
-  std::vector<Crease> gatherCreases(Sheet& sheet, const std::vector<int>& polyline,
+  std::vector<std::vector<int>> partsInside(const std::vector<int>& polyline) const;
+  void label(const std::vector<std::vector<int>>& parts);
+  std::vector<Crease> gatherCreases(Sheet& sheet, const std::vector<std::vector<int>>& parts,
                                     const std::string& name, Remap& remap);
   void traceVertices(const Sheet& before, Remap& remap) const;
 

@@ -82,4 +82,11 @@ inline json cross() {
 
 inline double area(const FoldPaper& paper) { return paper.sheet.area(); }
 
+/// What the file asks of each crease [rad].
+inline std::vector<double> patternAngles(const FoldPaper& paper) {
+  std::vector<double> angles;
+  for (const Crease& crease : paper.sheet.creases()) angles.push_back(crease.pattern_angle);
+  return angles;
+}
+
 }  // namespace shell_origami
