@@ -65,8 +65,11 @@ bool Services::fold(msg::Fold::Request& request, msg::Fold::Response& response) 
     response.crease_ids = result.crease_ids;
     response.vertices = vertexIds(result.vertices);
     response.revision = origami_.paper().revision();
+    const std::string parts =
+        result.parts == 1 ? "" : ", the " + std::to_string(result.parts) + " parts of the line that lie on the paper,";
     return "folding " + count(result.crease_ids.size(), "crease", "creases") + " of " +
-           vertexCount(result.vertices.size()) + " to " + std::to_string(request.angle) + " rad";
+           vertexCount(result.vertices.size()) + parts + " to " + std::to_string(request.angle) +
+           " rad";
   });
 }
 

@@ -121,7 +121,7 @@ FoldResult Simulation::foldLine(const Line& line, const FoldRequest& request) {
   edit.duration = request.duration.value_or(config_.fold_duration);
   edit.stiffness = request.stiffness.value_or(config_.material.crease_stiffness);
   record(std::move(edit));
-  return {std::move(made.crease_ids), std::move(made.vertices)};
+  return {std::move(made.crease_ids), std::move(made.vertices), made.parts};
 }
 
 FoldResult Simulation::foldNamed(const std::string& name, const FoldRequest& request) {

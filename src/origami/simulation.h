@@ -52,6 +52,7 @@ struct FoldRequest {
 struct FoldResult {
   std::vector<std::uint32_t> crease_ids;
   std::vector<int> vertices;  ///< the polyline in order; of a group, one crease after the other
+  int parts = 1;              ///< of a line, that lie on the paper; more where it has holes
 };
 
 /// A ball in space: every vertex now inside it.

@@ -11,13 +11,16 @@ namespace {
 /// Triangles whose smallest angle is below this are worth work.
 constexpr double kGoodAngle = 30 * M_PI / 180;
 constexpr int kPasses = 6;
-/// Angles below this, that the creases do not force, are refined away ...
+/// Angles below this, that the creases do not force, are refined away [rad].
 constexpr double kLeastAngle = 16 * M_PI / 180;
-/// ... in triangles larger than this part of the sheet: finer features are the lines' own.
-constexpr double kFinest = 1e-6;
-/// Splits that one sliver may ask for. Where the paper is bent edges are not flipped, and splitting
-/// alone would go on for ever.
-constexpr int kMostSplits = 40;
+/// No edge shorter than this part of the sheet's mean edge is made: where lines pass each other
+/// closer, they force their slivers.
+constexpr double kFinest = 0.05;
+/// Tangent of the angle [60 degrees] below which two creases or a border make a narrow corner.
+constexpr double kNarrow = 1.7320508;
+/// Splits in one edit. Where the paper is bent edges are not flipped, and splitting alone does not
+/// enlarge an angle.
+constexpr int kMostSplits = 1000;
 
 std::vector<int> sortedUnique(std::vector<int> values) {
   std::sort(values.begin(), values.end());
@@ -96,23 +99,61 @@ bool smooth(MaterialMesh& mesh, int v) {
   return false;
 }
 
+/// Whether another crease or the border leaves v close to the direction of the edge v, w.
+bool inNarrowCorner(const MaterialMesh& mesh, int v, int w) {
+  const Vector2 along = mesh.point(w) - mesh.point(v);
+  for (int t : mesh.flat().around(v)) {
+    for (int k = 0; k < 3; ++k) {
+      const auto [a, b] = mesh.flat().ends({t, k});
+      const int far = a == v ? b : a;
+      if ((a != v && b != v) || far == w || !isFixed(mesh.flat(), {t, k})) continue;
+      const Vector2 other = mesh.point(far) - mesh.point(v);
+      if (std::abs(cross(along, other)) < along.dot(other) * kNarrow) return true;
+    }
+  }
+  return false;
+}
+
+/// Where to split an edge: in the middle, but of an edge in a narrow corner on a circle around the
+/// corner whose radius is a power of two. The edges of the corner are then split at like distances;
+/// at their middles they would call forth ever shorter splits of one another (Ruppert 1995,
+/// concentric shells).
+Vector2 splitPoint(const MaterialMesh& mesh, Triangulation::Side side) {
+  auto [a, b] = mesh.flat().ends(side);
+  if (isFixed(mesh.flat(), side)) {
+    if (!inNarrowCorner(mesh, a, b)) std::swap(a, b);
+    if (inNarrowCorner(mesh, a, b)) {
+      const Vector2 along = mesh.point(b) - mesh.point(a);
+      const double power = std::round(std::log2(along.norm() / 2 / mesh.size()));
+      const double part = mesh.size() * std::exp2(power) / along.norm();
+      return mesh.point(a) + part * along;
+    }
+  }
+  return (mesh.point(a) + mesh.point(b)) / 2;
+}
+
+double meanEdge(const Triangulation& mesh) {
+  double sum = 0;
+  for (int t = 0; t < static_cast<int>(mesh.triangles().size()); ++t) sum += longestEdge(mesh, t);
+  return sum / static_cast<double>(mesh.triangles().size());
+}
+
 /// Splits edges until no triangle at the vertices is a sliver that the creases do not force.
 void refineAround(MaterialMesh& mesh, const std::vector<int>& vertices) {
-  const double finest = kFinest * mesh.size();
-  std::deque<std::pair<int, int>> queue;  // vertex, splits left
-  for (int v : vertices) queue.emplace_back(v, kMostSplits);
-  while (!queue.empty()) {
-    const auto [v, splits] = queue.front();
+  const double finest = kFinest * meanEdge(mesh.flat());
+  std::deque<int> queue(vertices.begin(), vertices.end());
+  for (int splits = 0; !queue.empty() && splits < kMostSplits;) {
+    const int v = queue.front();
     queue.pop_front();
-    if (splits == 0) continue;
     for (int t : mesh.flat().around(v)) {
-      if (!isSliver(mesh.flat(), t, kLeastAngle) || longestEdge(mesh.flat(), t) < finest) continue;
+      if (!isSliver(mesh.flat(), t, kLeastAngle)) continue;
       const Triangulation::Side side = terminalEdge(mesh.flat(), t);
       const auto [a, b] = mesh.flat().ends(side);
-      const int middle = mesh.splitEdge(side, (mesh.point(a) + mesh.point(b)) / 2);
-      flipAround(mesh, {middle});
-      queue.emplace_back(v, splits - 1);
-      queue.emplace_back(middle, splits - 1);
+      if ((mesh.point(a) - mesh.point(b)).norm() < 2 * finest) continue;
+      const int added = mesh.splitEdge(side, splitPoint(mesh, side));
+      flipAround(mesh, {added});
+      queue.insert(queue.end(), {v, added});
+      ++splits;
       break;
     }
   }

@@ -34,11 +34,6 @@ Side longestSide(const Triangulation& mesh, int triangle) {
   return best;
 }
 
-bool fixedSide(const Triangulation& mesh, Side side) {
-  return mesh.neighbour(side) == Triangulation::kNone ||
-         mesh.label(side) != Triangulation::kNone;
-}
-
 /// The angle at corner k [rad].
 double angleAt(const Triangulation& mesh, int triangle, int k) {
   const Triangle& t = mesh.triangles()[triangle];
@@ -48,6 +43,11 @@ double angleAt(const Triangulation& mesh, int triangle, int k) {
 }
 
 }  // namespace
+
+bool isFixed(const Triangulation& mesh, Side side) {
+  return mesh.neighbour(side) == Triangulation::kNone ||
+         mesh.label(side) != Triangulation::kNone;
+}
 
 bool isSliver(const Triangulation& mesh, int triangle, double least) {
   int sharpest = 0;
@@ -59,12 +59,12 @@ bool isSliver(const Triangulation& mesh, int triangle, double least) {
     sharpest = k;
   }
   const Side left{triangle, (sharpest + 1) % 3}, right{triangle, (sharpest + 2) % 3};
-  return smallest < least && !(fixedSide(mesh, left) && fixedSide(mesh, right));
+  return smallest < least && !(isFixed(mesh, left) && isFixed(mesh, right));
 }
 
 Side terminalEdge(const Triangulation& mesh, int triangle) {
   Side side = longestSide(mesh, triangle);
-  while (!fixedSide(mesh, side)) {
+  while (!isFixed(mesh, side)) {
     const Side next = longestSide(mesh, mesh.neighbour(side));
     if (!(length(mesh, next) > length(mesh, side) * (1 + 1e-12))) break;
     side = next;
@@ -157,7 +157,7 @@ double quality(const Vector2& a, const Vector2& b, const Vector2& c) {
 bool loose(const Triangulation& mesh, int v) {
   for (int t : mesh.around(v)) {
     const int k = mesh.cornerOf(t, v);
-    if (fixedSide(mesh, {t, (k + 1) % 3}) || fixedSide(mesh, {t, (k + 2) % 3})) return false;
+    if (isFixed(mesh, {t, (k + 1) % 3}) || isFixed(mesh, {t, (k + 2) % 3})) return false;
   }
   return true;
 }

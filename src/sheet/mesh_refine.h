@@ -14,6 +14,9 @@ void checkMaxEdge(double max_edge);
 /// \throws std::invalid_argument when there would be more than kMostTriangles
 void checkCount(double triangles, double max_edge);
 
+/// Whether the edge is on the border or labelled.
+bool isFixed(const Triangulation& mesh, Triangulation::Side side);
+
 /// Whether the triangle has an angle below `least` [rad] that labelled edges and border do not
 /// force on it.
 bool isSliver(const Triangulation& mesh, int triangle, double least);

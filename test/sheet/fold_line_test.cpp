@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <stdexcept>
 
 namespace shell_origami {
@@ -202,23 +201,6 @@ TEST(AddVertex, OnACreaseBecomesItsVertex) {
   const auto& crease = sheet.creases()[0].vertices;
   EXPECT_EQ(crease.size(), made.vertices.size() + 1);
   EXPECT_EQ(crease[2], added.vertex);
-}
-
-TEST(FoldLine, AThousandRandomFoldsKeepTheSheetWhole) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> unit(0, 1);
-  int folds = 0;
-  while (folds < 1000) {
-    const double width = 0.05 + 0.2 * unit(random), height = 0.05 + 0.2 * unit(random);
-    Sheet sheet(triangulateRectangle(width, height, 0.015 + 0.02 * unit(random)));
-    for (int i = 0; i < 12; ++i, ++folds) {
-      const Line any = line(width * unit(random), height * unit(random), width * unit(random),
-                            height * unit(random));
-      ASSERT_NO_THROW(makeFoldLine(sheet, any));
-      ASSERT_NO_THROW(sheet.validate());
-      ASSERT_NEAR(sheet.area(), width * height, 1e-12 * width * height);
-    }
-  }
 }
 
 }  // namespace
