@@ -31,6 +31,13 @@ isolate_ros() {
   export ROS_IP=127.0.0.1 ROS_HOME=$root/build/ros
 }
 
+# Without either of the two, ROS wants this host's name to resolve, and fails where it does not.
+name_this_host() {
+  if [[ -z ${ROS_IP-}${ROS_HOSTNAME-} ]] && ! getent hosts "$(uname -n)" >/dev/null; then
+    export ROS_IP=127.0.0.1
+  fi
+}
+
 free_port() {
   python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
