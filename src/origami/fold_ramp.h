@@ -2,17 +2,19 @@
 /// Rest-angle ramps (Discrete Shells Origami, section 2.3).
 #pragma once
 
-#include <cstdint>
-
 namespace shell_origami {
 
 /// How one crease's rest angle goes from the angle recorded at the start of a fold to its target.
-/// The angle, not its tangent, follows a smooth step of time.
+/// Of folds that run together the one that goes farthest leads: its angle follows a smooth step of
+/// time, and tan(angle/2) of each other covers the same part of its own way as the lead's. That
+/// is how the creases of a flat-foldable vertex of four move, so that folds with compatible
+/// targets stay compatible all the way.
 struct FoldRamp {
-
   bool driven = false;     ///< false: a free crease, soft, that no fold has named
   double from = 0;         ///< [rad] recorded at the start
-  double target = 0;       ///< [rad]
+  double target = 0;       ///< [rad]; of a free crease, where it rests now
+  double lead_from = 0;    ///< [rad] of the lead, `from` and `target` where the fold is alone
+  double lead_target = 0;  ///< [rad]
   double start = 0;        ///< [s] simulation time
   double duration = 0;     ///< [s]; 0: at once
   double stiffness = 0;    ///< [N*m/rad per m]
@@ -20,6 +22,11 @@ struct FoldRamp {
   /// Rest angle at simulation time t [rad].
   double angleAt(double t) const;
   bool runningAt(double t) const { return driven && t < start + duration; }
+  /// How far tan(angle/2) goes.
+  double way() const;
+  /// Whether it runs together with another: both begin at the same time, take equally long, and
+  /// fold, or both unfold.
+  bool runsWith(const FoldRamp& other) const;
 };
 
 }  // namespace shell_origami

@@ -66,6 +66,7 @@ std::string lowerExtension(const std::string& path) {
 
 json makeReport(const Simulation& simulation, const std::string& recipe, double wall_time) {
   const Counters& counters = simulation.counters();
+  const Energies energies = simulation.energies();
   json creases = json::array();
   for (const CreaseStatus& crease : simulation.creases()) creases.push_back(reportCrease(crease));
   return {{"recipe", recipe},
@@ -77,7 +78,9 @@ json makeReport(const Simulation& simulation, const std::string& recipe, double 
           {"newton_iterations", counters.newton_iterations},
           {"factorizations", counters.factorizations},
           {"max_strain", orNull(simulation.maxStrain())},
-          {"kinetic_energy", orNull(simulation.energies().kinetic)},
+          {"kinetic_energy", orNull(energies.kinetic)},
+          // What targets that are not compatible cost: rigid panels with creases at rest have none.
+          {"strain_energy", orNull(energies.membrane + energies.bending)},
           {"settled", simulation.settled()},
           {"min_gap", -1},  // contact is not computed
           {"intersections", -1},

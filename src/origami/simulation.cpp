@@ -11,6 +11,13 @@ namespace {
 
 /// A free crease has this part of a crease's stiffness: it follows whatever pulls at it.
 constexpr double kFreeCreaseSoftness = 0.01;
+/// It gives way, too: where it rests creeps to where it is within this time [s]. Held at rest flat
+/// it would bend the panels beside it by tens of degrees, towards the half turn.
+constexpr double kCreepTime = 0.05;
+/// A free crease of which its pattern asks for a mountain or a valley rests no nearer to flat than
+/// this [rad], on that side: flat paper may go either of two ways at a vertex, and this is what
+/// makes it go the pattern's.
+constexpr double kInclination = 2 * M_PI / 180;
 /// Beyond this [N*m/rad per m], 20,000 times a paper's crease, the matrix of a step is too badly
 /// conditioned to be factorized.
 constexpr double kStiffest = 100;
@@ -34,6 +41,13 @@ void checkFold(const FoldRequest& request) {
     refuse("stiffness ", *request.stiffness, " N*m/rad per m is not positive and at most ",
            kStiffest);
   }
+}
+
+/// Where a free crease at this angle comes to rest.
+double restOfFree(double angle, double pattern_angle) {
+  if (pattern_angle > 0) return std::max(angle, kInclination);
+  if (pattern_angle < 0) return std::min(angle, -kInclination);
+  return angle;
 }
 
 double rootMeanSquare(const Positions& values) {
@@ -87,8 +101,10 @@ Simulation::Simulation(Sheet sheet, const SimulationConfig& config, const Positi
   for (std::size_t i = 0; i < sheet_.creases().size(); ++i) {
     FoldRamp ramp;
     ramp.driven = std::isfinite(rest_angles.at(i));
-    ramp.target = ramp.driven ? rest_angles[i] : 0;
     ramp.stiffness = ramp.driven ? stiffness : kFreeCreaseSoftness * stiffness;
+    ramp.target = ramp.driven ? rest_angles[i]
+                              : restOfFree(meanAngle(static_cast<int>(i)),
+                                           sheet_.creases()[i].pattern_angle);
     ramps_.push_back(ramp);
   }
   topologyChanged();
@@ -114,6 +130,7 @@ FoldResult Simulation::foldLine(const Line& line, const FoldRequest& request) {
   for (std::uint32_t id : made.crease_ids) {
     startRamp(sheet_.creaseIndex(id), request.angle, request);
   }
+  keepTogether();
   EditRecord edit;
   edit.line = {line[0], line[1]};
   edit.vertices = made.vertices;
@@ -138,6 +155,7 @@ FoldResult Simulation::foldNamed(const std::string& name, const FoldRequest& req
     result.vertices.insert(result.vertices.end(), crease.vertices.begin(), crease.vertices.end());
   }
   if (result.crease_ids.empty()) refuse("no crease or group of creases is called '", name, "'");
+  keepTogether();
   EditRecord edit;
   edit.crease = name;
   edit.vertices = result.vertices;
@@ -158,6 +176,30 @@ void Simulation::startRamp(int crease, double target, const FoldRequest& request
   ramp.start = time_;
   ramp.duration = request.duration.value_or(config_.fold_duration);
   ramp.stiffness = request.stiffness.value_or(config_.material.crease_stiffness);
+}
+
+/// Gives every ramp that begins now its lead.
+void Simulation::keepTogether() {
+  for (FoldRamp& ramp : ramps_) {
+    if (!ramp.driven || ramp.start != time_) continue;
+    const FoldRamp* lead = &ramp;
+    for (const FoldRamp& other : ramps_) {
+      if (other.runsWith(ramp) && other.way() > lead->way()) lead = &other;
+    }
+    ramp.lead_from = lead->from;
+    ramp.lead_target = lead->target;
+  }
+}
+
+void Simulation::creep() {
+  const double part = 1 - std::exp(-config_.solver.time_step / kCreepTime);
+  for (std::size_t i = 0; i < ramps_.size(); ++i) {
+    FoldRamp& ramp = ramps_[i];
+    if (ramp.driven) continue;
+    const double rest =
+        restOfFree(meanAngle(static_cast<int>(i)), sheet_.creases()[i].pattern_angle);
+    ramp.target += part * (rest - ramp.target);
+  }
 }
 
 void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_before) {
@@ -325,6 +367,7 @@ StepReport Simulation::step() {
   }
   ++counters_.steps;
   time_ += config_.solver.time_step;
+  creep();
   return report;
 }
 

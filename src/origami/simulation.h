@@ -74,7 +74,7 @@ struct CreaseStatus {
   std::string name;
   double angle = 0, angle_min = 0, angle_max = 0;
   double rest_angle = 0;
-  double target_angle = 0;
+  double target_angle = 0;  ///< of a free crease, where it rests
   double moment = 0;    ///< mean [N*m per m], positive towards a valley
   bool driven = false;  ///< a fold has named it
 };
@@ -114,6 +114,9 @@ class Simulation {
   Simulation(Sheet sheet, const SimulationConfig& config, const Positions& positions,
              const std::vector<double>& rest_angles);
 
+  /// Folds that begin at the same time and take equally long run together (FoldRamp). Creases
+  /// that no fold has named are free: soft, they follow what the others ask of them, to the side
+  /// that Crease::pattern_angle asks for.
   FoldResult fold(const FoldRequest& request);
   /// Returns the vertices that are held by this request, ascending.
   std::vector<int> pin(const PinWhere& where);
@@ -151,6 +154,8 @@ class Simulation {
   FoldResult foldLine(const Line& line, const FoldRequest& request);
   FoldResult foldNamed(const std::string& name, const FoldRequest& request);
   void startRamp(int crease, double target, const FoldRequest& request);
+  void keepTogether();
+  void creep();
   std::vector<int> verticesAt(const PinWhere& where) const;
   void checkVertex(std::int64_t vertex) const;
   void follow(const Remap& remap, const std::vector<Crease>& creases_before);
