@@ -89,6 +89,24 @@ TEST(Waterbomb, MountainFollowsTheValleys) {
   });
 }
 
+TEST(SixCreases, FoldTheSameWayFastAndSlowly) {
+  // Free creases that led the others, if only by a degree, would pop the vertex the wrong way when
+  // there is time for it. The preliminary base is the waterbomb's vertex with the four on a cross.
+  for (const auto& [name, driven] : {std::pair{"waterbomb", "diagonal"},
+                                     std::pair{"preliminary", "cross"}}) {
+    for (const double duration : {1.0, 20.0}) {
+      Simulation simulation = fromRecipe(name);
+      simulation.fold(foldCrease(driven, 90 * kDegree, duration));
+      stepUntil(simulation, duration + 2);
+      const double follows = -2 * std::atan(std::sqrt(0.5));
+      for (const CreaseStatus& crease : simulation.creases()) {
+        const double expected = crease.driven ? M_PI / 2 : follows;
+        EXPECT_NEAR(crease.angle / kDegree, expected / kDegree, 1) << name << " in " << duration;
+      }
+    }
+  }
+}
+
 TEST(Cone, SlopeOfTheApplesBowl) {
   // Closed form 10: a mountain and a valley from one inner point, alpha = 15 degrees apart, folded
   // shut take 2 alpha out of the sheet's 360 degrees around it, and what is left makes a cone of

@@ -101,6 +101,23 @@ TEST(Degree4, ThePatternChoosesTheWay) {
   }
 }
 
+TEST(Degree4, ThePatternChoosesTheWayOfAFastFoldToo) {
+  for (const Vertex& vertex : randomVertices()) {
+    Simulation simulation(vertex.sheet(), SimulationConfig());
+    simulation.fold(foldCrease("rho0", 90 * kDegree, 1));
+    run(vertex, simulation, 3);
+    EXPECT_LT(kinematicError(vertex, simulation), 1 * kDegree)
+        << "sectors " << vertex.a / kDegree << ", " << vertex.b / kDegree << " degrees";
+  }
+}
+
+TEST(Degree4, APatternThatNobodyFoldsStaysFlat) {
+  const Vertex vertex{110 * kDegree, 50 * kDegree, false};
+  Simulation simulation(vertex.sheet(), SimulationConfig());
+  for (int i = 0; i < 30; ++i) simulation.step();
+  EXPECT_TRUE(simulation.positions().isApprox(flatInSpace(simulation.sheet()), 1e-12));
+}
+
 TEST(Degree4, FoldsOfOneStepKeepInStep) {
   // All four driven, to targets that fit. Ramped each on its own they would not on the way.
   for (const Vertex& vertex : {Vertex{110 * kDegree, 50 * kDegree, false},
