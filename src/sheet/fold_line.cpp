@@ -3,8 +3,8 @@
 #include "sheet/refuse.h"
 #include "sheet/sheet_editor.h"
 
-
 namespace shell_origami {
+
 FoldLine makeFoldLine(Sheet& sheet, const Line& line, const std::string& name,
                       const EditContext& context) {
   for (const Vector2& end : line) {

@@ -2,7 +2,7 @@
 /// Edge making (Discrete Shells Origami, sections 2.2 and 2.5): edits of the flat sheet.
 #pragma once
 
-#include "sheet/sheet.h"
+#include "sheet/remap.h"
 
 #include <set>
 #include <string>

@@ -11,18 +11,6 @@
 
 namespace shell_origami {
 
-Eigen::Matrix3Xd Remap::apply(const Eigen::Matrix3Xd& before, int vertices_after) const {
-  Eigen::Matrix3Xd after(3, vertices_after);
-  after.leftCols(vertices_before) = before;
-  for (std::size_t i = 0; i < changed.size(); ++i) {
-    const Origin& origin = origins[i];
-    Vector3 value = Vector3::Zero();
-    for (int k = 0; k < 3; ++k) value += origin.weights[k] * before.col(origin.vertices[k]);
-    after.col(changed[i]) = value;
-  }
-  return after;
-}
-
 Sheet::Sheet(Triangulation triangulation, std::vector<Crease> creases)
     : triangulation_(std::move(triangulation)), creases_(std::move(creases)) {
   if (triangulation_.triangles().empty()) {
@@ -48,6 +36,7 @@ Sheet::Sheet(Triangulation triangulation, std::vector<Crease> creases)
 void Sheet::rebuildEdges() {
   edges_.clear();
   edges_.reserve(3 * triangles().size() / 2 + 64);
+  edge_of_side_.assign(triangles().size(), {-1, -1, -1});
   for (int t = 0; t < static_cast<int>(triangles().size()); ++t) {
     for (int k = 0; k < 3; ++k) {
       const Triangulation::Side side{t, k};
@@ -55,7 +44,12 @@ void Sheet::rebuildEdges() {
       if (other != Triangulation::kNone && other < t) continue;
       Edge edge{triangulation_.ends(side), {triangulation_.apex(side), -1}, {t, other},
                 triangulation_.label(side)};
-      if (!edge.onBorder()) edge.opposite[1] = triangulation_.apex(triangulation_.opposite(side));
+      edge_of_side_[t][k] = static_cast<int>(edges_.size());
+      if (!edge.onBorder()) {
+        const Triangulation::Side across = triangulation_.opposite(side);
+        edge.opposite[1] = triangulation_.apex(across);
+        edge_of_side_[across.triangle][across.edge] = edge_of_side_[t][k];
+      }
       edges_.push_back(edge);
     }
   }

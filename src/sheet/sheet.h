@@ -1,5 +1,5 @@
 /// \file
-/// The flat sheet: triangles, creases, and the word for what an edit did to them.
+/// The flat sheet: triangles, edges and creases.
 #pragma once
 
 #include "sheet/geometry.h"
@@ -38,29 +38,6 @@ struct Edge {
   bool onBorder() const { return triangles[1] < 0; }
 };
 
-/// What became of the vertices and creases in an edit. Vertices are never removed or renumbered;
-/// an edit may add some and shift some along the flat sheet.
-struct Remap {
-  /// Where a vertex of the sheet after the edit lay before it: the affine combination of up to
-  /// three vertices of the sheet before (weights sum to 1). Carries positions, velocities and
-  /// accelerations over.
-  struct Origin {
-    std::array<int, 3> vertices;
-    Vector3 weights;
-  };
-  struct Born {
-    std::uint32_t crease;
-    std::uint32_t parent;
-  };
-  int vertices_before = 0;
-  std::vector<int> changed;     ///< new and shifted vertices, ascending
-  std::vector<Origin> origins;  ///< one for each of `changed`
-  std::vector<Born> born;       ///< creases that were cut off an older one, which they resemble
-
-  /// Values of one column a vertex, before the edit -> after it.
-  Eigen::Matrix3Xd apply(const Eigen::Matrix3Xd& before, int vertices_after) const;
-};
-
 /// A sheet of paper with flat coordinates kept for life. Edits are made by the functions of
 /// fold_line.h; each leaves a valid sheet or throws and leaves it as it was.
 class Sheet {
@@ -81,6 +58,8 @@ class Sheet {
   /// Largest extent along x or y [m].
   double size() const;
   double area() const;  ///< flat [m^2]
+  /// Index into edges() of a triangle's side.
+  int edgeIndex(Triangulation::Side side) const { return edge_of_side_[side.triangle][side.edge]; }
   /// Index into creases() of the crease with this id, or -1.
   int creaseIndex(std::uint32_t id) const;
   /// Vertex whose flat position is nearest to p.
@@ -96,6 +75,7 @@ class Sheet {
   Triangulation triangulation_;
   std::vector<Crease> creases_;
   std::vector<Edge> edges_;
+  std::vector<std::array<int, 3>> edge_of_side_;
   std::uint32_t revision_ = 0;
   std::uint32_t next_crease_id_ = 0;
 };

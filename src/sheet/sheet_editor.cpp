@@ -282,10 +282,10 @@ FoldLine SheetEditor::commit(Sheet& sheet, const std::vector<std::vector<int>>& 
                              const std::string& name) {
   FoldLine result;
   result.parts = static_cast<int>(parts.size());
-  traceVertices(sheet, result.remap);
-  std::vector<Crease> creases = gatherCreases(sheet, parts, name, result.remap);
-
-  Sheet edited(mesh_.flat(), std::move(creases));
+  std::vector<Remap::Born> born;
+  Sheet edited(mesh_.flat(), gatherCreases(sheet, parts, name, born));
+  result.remap = traceEdit(sheet, edited, mesh_.snap());
+  result.remap.born = std::move(born);
   edited.setRevision(sheet.revision() + 1);
   edited.next_crease_id_ = std::max(edited.next_crease_id_, sheet.next_crease_id_);
   // Of a crease the line is a whole part or nothing, so that the creases on it, laid end to end,
@@ -304,17 +304,6 @@ FoldLine SheetEditor::commit(Sheet& sheet, const std::vector<std::vector<int>>& 
   }
   sheet = std::move(edited);
   return result;
-}
-
-void SheetEditor::traceVertices(const Sheet& before, Remap& remap) const {
-  remap.vertices_before = before.vertexCount();
-  const auto& points = mesh_.flat().points();
-  for (int v = 0; v < static_cast<int>(points.size()); ++v) {
-    if (v < before.vertexCount() && points[v] == before.flatPositions()[v]) continue;
-    const auto place = before.triangulation().locate(points[v], mesh_.snap());
-    remap.changed.push_back(v);
-    remap.origins.push_back({before.triangles()[place->triangle], place->weights});
-  }
 }
 
 namespace {
@@ -341,7 +330,8 @@ std::vector<std::vector<int>> runsAlong(std::vector<std::array<int, 2>> edges,
 
 std::vector<Crease> SheetEditor::gatherCreases(Sheet& sheet,
                                                const std::vector<std::vector<int>>& parts,
-                                               const std::string& name, Remap& remap) {
+                                               const std::string& name,
+                                               std::vector<Remap::Born>& born) {
   const Triangulation& mesh = mesh_.flat();
   std::map<int, std::vector<std::array<int, 2>>> edges;
   for (int t = 0; t < static_cast<int>(mesh.triangles().size()); ++t) {
@@ -374,7 +364,7 @@ std::vector<Crease> SheetEditor::gatherCreases(Sheet& sheet,
                              : own_name;
       crease.vertices = std::move(run);
       if (parent) crease.pattern_angle = old_creases_[*parent].pattern_angle;
-      if (parent && !keeps_id) remap.born.push_back({crease.id, old_creases_[*parent].id});
+      if (parent && !keeps_id) born.push_back({crease.id, old_creases_[*parent].id});
       creases.push_back(std::move(crease));
       keeps_id = false;
     }

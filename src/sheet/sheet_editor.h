@@ -43,8 +43,7 @@ class SheetEditor {
   std::vector<std::vector<int>> partsInside(const std::vector<int>& polyline) const;
   void label(const std::vector<std::vector<int>>& parts);
   std::vector<Crease> gatherCreases(Sheet& sheet, const std::vector<std::vector<int>>& parts,
-                                    const std::string& name, Remap& remap);
-  void traceVertices(const Sheet& before, Remap& remap) const;
+                                    const std::string& name, std::vector<Remap::Born>& born);
 
   MaterialMesh mesh_;
   const std::vector<Crease>& old_creases_;

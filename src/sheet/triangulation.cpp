@@ -11,6 +11,11 @@
 namespace shell_origami {
 namespace {
 
+/// Triangles that locateNear() looks at before it asks them all.
+constexpr std::size_t kNearby = 60;
+/// A barycentric coordinate as negative as this counts as zero: p lies on the edge.
+constexpr double kRounding = 1e-12;
+
 int next(int k) { return k == 2 ? 0 : k + 1; }
 int previous(int k) { return k == 0 ? 2 : k - 1; }
 
@@ -108,6 +113,14 @@ bool Triangulation::onBorder(int v) const {
   return neighbours_[first][previous(cornerOf(first, v))] == kNone;
 }
 
+/// Barycentric coordinates.
+Vector3 Triangulation::weightsAt(const Vector2& p, int triangle) const {
+  const auto [i, j, k] = triangles_[triangle];
+  const Vector2 &a = points_[i], &b = points_[j], &c = points_[k];
+  return Vector3(doubleArea(p, b, c), doubleArea(a, p, c), doubleArea(a, b, p)) /
+         doubleArea(a, b, c);
+}
+
 std::optional<Triangulation::Location> Triangulation::locate(const Vector2& p,
                                                              double tolerance) const {
   // Over every triangle: outlines may be concave, where a walk can get stuck.
@@ -116,9 +129,8 @@ std::optional<Triangulation::Location> Triangulation::locate(const Vector2& p,
   for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
     const Vector2 &a = points_[triangles_[t][0]], &b = points_[triangles_[t][1]],
                   &c = points_[triangles_[t][2]];
-    const Vector3 areas(doubleArea(p, b, c), doubleArea(a, p, c), doubleArea(a, b, p));
-    const Vector3 weights = areas / doubleArea(a, b, c);
-    if (areas.minCoeff() >= 0) return Location{t, weights};
+    const Vector3 weights = weightsAt(p, t);
+    if (weights.minCoeff() >= 0) return Location{t, weights};
     const double distance = std::min(
         {distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});
     if (distance <= best_distance) {
@@ -128,6 +140,20 @@ std::optional<Triangulation::Location> Triangulation::locate(const Vector2& p,
   }
   if (best.triangle == kNone) return std::nullopt;
   return best;
+}
+
+std::optional<Triangulation::Location> Triangulation::locateNear(const Vector2& p,
+                                                                 double tolerance,
+                                                                 int near) const {
+  std::vector<int> queue{near};
+  for (std::size_t i = 0; i < queue.size() && i < kNearby; ++i) {
+    const Vector3 weights = weightsAt(p, queue[i]);
+    if (weights.minCoeff() >= -kRounding) return Location{queue[i], weights};
+    for (int t : neighbours_[queue[i]]) {
+      if (t != kNone && !std::count(queue.begin(), queue.end(), t)) queue.push_back(t);
+    }
+  }
+  return locate(p, tolerance);
 }
 
 void Triangulation::setTriangle(int t, const Triangle& corners,

@@ -64,6 +64,8 @@ class Triangulation {
   /// The triangle that p lies in; where several do, the first found. None off the triangulation
   /// (farther from it than `tolerance` [m]).
   std::optional<Location> locate(const Vector2& p, double tolerance) const;
+  /// The same, faster where p lies in or not far from the triangle `near`.
+  std::optional<Location> locateNear(const Vector2& p, double tolerance, int near) const;
 
   /// Puts a vertex at p, which lies on the edge, and cuts both triangles in two. Returns it.
   int splitEdge(Side side, const Vector2& p);
@@ -79,6 +81,7 @@ class Triangulation {
   void moveVertex(int v, const Vector2& p);
 
  private:
+  Vector3 weightsAt(const Vector2& p, int triangle) const;
   int addPoint(const Vector2& p);
   int addTriangle();
   void setTriangle(int t, const Triangle& corners, const std::array<int, 3>& neighbours,

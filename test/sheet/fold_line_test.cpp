@@ -145,6 +145,46 @@ TEST(FoldLine, RemapPutsNewVerticesWhereTheirFlatPointWas) {
   }
 }
 
+TEST(FoldLine, RemapTellsTheEdgeAndTheTriangleThatEachWasAPartOf) {
+  Sheet sheet = square();
+  makeFoldLine(sheet, line(0.02, 0, 0.11, kSide));
+  const Sheet before = sheet;
+  const Remap remap = makeFoldLine(sheet, line(0, 0.03, kSide, 0.11)).remap;
+  const auto& old_points = before.flatPositions();
+  ASSERT_EQ(remap.edges.size(), sheet.edges().size());
+  int parts = 0, across = 0;
+  for (std::size_t j = 0; j < sheet.edges().size(); ++j) {
+    const Edge& edge = sheet.edges()[j];
+    const Vector2 middle =
+        (sheet.flatPositions()[edge.vertices[0]] + sheet.flatPositions()[edge.vertices[1]]) / 2;
+    const auto distance = [&](const Edge& old) {
+      return distanceToSegment(middle, old_points[old.vertices[0]], old_points[old.vertices[1]]);
+    };
+    if (remap.edges[j] == Remap::kNone) {
+      ++across;
+      EXPECT_FALSE(edge.onBorder());
+      continue;
+    }
+    const Edge& old = before.edges()[remap.edges[j]];
+    EXPECT_LT(distance(old), 1e-9);
+    EXPECT_EQ(edge.onBorder(), old.onBorder());
+    EXPECT_TRUE(old.crease < 0 || edge.crease == old.crease);
+    parts += edge.vertices != old.vertices;
+  }
+  EXPECT_GT(parts, 5);
+  EXPECT_GT(across, 5);
+  ASSERT_EQ(remap.triangles.size(), sheet.triangles().size());
+  for (std::size_t t = 0; t < sheet.triangles().size(); ++t) {
+    const Triangle& c = sheet.triangles()[t];
+    const Vector2 centroid =
+        (sheet.flatPositions()[c[0]] + sheet.flatPositions()[c[1]] + sheet.flatPositions()[c[2]]) / 3;
+    const Triangle& old = before.triangles()[remap.triangles[t]];
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_GE(doubleArea(old_points[old[k]], old_points[old[(k + 1) % 3]], centroid), -1e-15);
+    }
+  }
+}
+
 TEST(FoldLine, HeldVerticesAreNeverShifted) {
   Sheet sheet = square();
   EditContext context;
@@ -186,6 +226,16 @@ TEST(AddVertex, SplitsTheEdgeWhereAsked) {
   sheet.validate();
   EXPECT_LT((sheet.flatPositions()[added.vertex] - (0.75 * from + 0.25 * to)).norm(), 1e-16);
   EXPECT_EQ(sheet.revision(), 1u);
+  // Both halves were edge 7; the edges to the far corners were none.
+  int halves = 0, none = 0;
+  for (std::size_t j = 0; j < sheet.edges().size(); ++j) {
+    const auto& ends = sheet.edges()[j].vertices;
+    if (ends[0] != added.vertex && ends[1] != added.vertex) continue;
+    (added.remap.edges[j] == 7 ? halves : none) += 1;
+    EXPECT_TRUE(added.remap.edges[j] == 7 || added.remap.edges[j] == Remap::kNone);
+  }
+  EXPECT_EQ(halves, 2);
+  EXPECT_EQ(none, 2);
   EXPECT_THROW(addVertex(sheet, a, b, 0.5), std::invalid_argument);
   EXPECT_THROW(addVertex(sheet, a, added.vertex, 0), std::invalid_argument);
   EXPECT_THROW(addVertex(sheet, a, added.vertex, std::nan("")), std::invalid_argument);

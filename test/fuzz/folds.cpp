@@ -1,0 +1,119 @@
+#include "../sheet/random_sheets.h"
+#include "fuzz.h"
+#include "origami/simulation.h"
+#include "sheet/triangulate.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace shell_origami {
+namespace {
+
+/// A point of the paper may move where an edge was flipped or a vertex shifted on paper that is
+/// bent there, by 0.02 rad at most: by a quarter of the quadrilateral's diagonal (sqrt(3) edges)
+/// times that, once for each flip on top of another, of which four are seen.
+constexpr double kMostMoved = 4 * 0.25 * 1.7320508 * 0.02;  // times max_edge
+
+/// Where points of the flat sheet are in space.
+struct Material {
+  Sheet sheet;
+  Positions positions;
+
+  Vector3 at(const Vector2& flat) const {
+    const auto place = sheet.triangulation().locate(flat, 1e-6 * sheet.size());
+    const Triangle& t = sheet.triangles()[place->triangle];
+    Vector3 point = Vector3::Zero();
+    for (int k = 0; k < 3; ++k) point += place->weights[k] * positions.col(t[k]);
+    return point;
+  }
+};
+
+struct Seen {
+  int folds = 0, along_border = 0, unconverged = 0, slivers = 0;
+  long points = 0, moved = 0;
+  double farthest = 0;  ///< as a part of the sheet's max_edge
+};
+
+void require(bool kept, const char* promise) {
+  if (!kept) throw std::logic_error(promise);
+}
+
+/// Smallest area of a triangle in space, as a part of its flat area.
+double smallestAreaRatio(const Sheet& sheet, const Positions& x) {
+  double smallest = 1;
+  for (const Triangle& t : sheet.triangles()) {
+    const Vector3 a = x.col(t[0]), b = x.col(t[1]), c = x.col(t[2]);
+    const auto& p = sheet.flatPositions();
+    smallest = std::min(smallest, (b - a).cross(c - a).norm() /
+                                      doubleArea(p[t[0]], p[t[1]], p[t[2]]));
+  }
+  return smallest;
+}
+
+void compare(const Material& before, const Material& after, double max_edge, Seen& seen) {
+  for (const Vector2& flat : before.sheet.flatPositions()) {
+    const double distance = (after.at(flat) - before.at(flat)).norm();
+    ++seen.points;
+    seen.moved += distance > 1e-9 * before.sheet.size();
+    seen.farthest = std::max(seen.farthest, distance / max_edge);
+  }
+  require(seen.farthest < kMostMoved, "a point of the paper moved too far");
+}
+
+void foldOneSheet(RandomSheets& random, int most, Seen& seen) {
+  const double max_edge = random.between(0.012, 0.032);
+  Simulation simulation(Sheet(triangulate(random.outline(), max_edge)), {});
+  const double area = simulation.sheet().area(), border = borderLength(simulation.sheet());
+  const int count = std::min(most, 1 + random.below(12));
+  for (int i = 0; i < count; ++i) {
+    ++seen.folds;
+    FoldRequest request;
+    request.where = random.line(simulation.sheet());
+    request.angle = random.between(-175, 175) * M_PI / 180;
+    request.duration = random.between(0.3, 1);
+    const Material before{simulation.sheet(), simulation.positions()};
+    try {
+      simulation.fold(request);
+    } catch (const std::invalid_argument& refusal) {
+      require(std::string(refusal.what()) == "the line runs along the border of the paper",
+              refusal.what());
+      ++seen.along_border;
+      continue;
+    }
+    const Sheet& sheet = simulation.sheet();
+    sheet.validate();
+    require(std::abs(sheet.area() / area - 1) < 1e-12, "the area changed");
+    require(std::abs(borderLength(sheet) / border - 1) < 1e-12, "the outline changed");
+    seen.slivers += unforcedSlivers(sheet, max_edge);
+    compare(before, {sheet, simulation.positions()}, max_edge, seen);
+    for (int k = 2 + random.below(8); k > 0; --k) seen.unconverged += !simulation.step().converged;
+    require(simulation.positions().allFinite(), "a position is not finite");
+    require(smallestAreaRatio(sheet, simulation.positions()) > 0.05, "a triangle collapsed");
+  }
+}
+
+}  // namespace
+
+bool fuzzFolds(int folds, unsigned seed) {
+  RandomSheets random(seed);
+  Seen seen;
+  bool kept = true;
+  while (kept && seen.folds < folds) {
+    try {
+      foldOneSheet(random, folds - seen.folds, seen);
+    } catch (const std::logic_error& broken) {
+      std::printf("fold %d: %s\n", seen.folds, broken.what());
+      kept = false;
+    }
+  }
+  std::printf("%d folds, %d refused along the border; %ld of %ld points moved, by %.2g of max_edge "
+              "at most (bound %.2g); %d angles under 15 degrees; %d steps did not converge\n",
+              seen.folds, seen.along_border, seen.moved, seen.points, seen.farthest, kMostMoved,
+              seen.slivers, seen.unconverged);
+  return kept && seen.slivers == 0;
+}
+
+}  // namespace shell_origami

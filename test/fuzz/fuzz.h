@@ -1,0 +1,11 @@
+/// \file
+/// Long random runs that look for what no one thought of. Each prints what it saw.
+#pragma once
+
+namespace shell_origami {
+
+/// Random folds on random sheets, in sequences of up to twelve on one sheet, which is partly
+/// folded in between. True when every promise of edge making was kept.
+bool fuzzFolds(int folds, unsigned seed);
+
+}  // namespace shell_origami
