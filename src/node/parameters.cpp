@@ -35,12 +35,18 @@ void readMaterial(ParameterReader& reader, Material& material) {
   reader.read("material/density", material.density);
   reader.read("material/crease_stiffness", material.crease_stiffness);
   reader.read("material/air_damping", material.air_damping);
+  std::string membrane = "st_venant_kirchhoff";
+  reader.read("material/membrane", membrane);
+  material.membrane = choice("material/membrane", membrane, membraneNames());
+  reader.read("material/crease_height_term", material.crease_height_term);
+  reader.read("material/yield_curvature", material.yield_curvature);
+  reader.read("material/hardening", material.hardening);
 }
 
 void readSolver(ParameterReader& reader, SolverConfig& solver) {
   std::string integrator = "newmark";
   reader.read("solver/integrator", integrator);
-  choice<int>("solver/integrator", integrator, {{"newmark", 0}});
+  solver.integrator = choice("solver/integrator", integrator, integratorNames());
   reader.read("solver/time_step", solver.time_step);
   reader.read("solver/beta", solver.beta);
   reader.read("solver/gamma", solver.gamma);

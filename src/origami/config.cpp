@@ -25,6 +25,9 @@ void checkConfig(const SimulationConfig& config) {
   checkPositive("material/density", config.material.density);
   checkRange("material/crease_stiffness", config.material.crease_stiffness, 1e-9, 100);
   checkRange("material/air_damping", config.material.air_damping, 0, 1e6);
+  checkRange("material/yield_curvature", config.material.yield_curvature, 0, 1e6);
+  checkRange("material/hardening", config.material.hardening, -0.99, 1e6);
+  checkRange("sheet/curvature", config.rest.curvature, -1e4, 1e4);
   for (int i = 0; i < 3; ++i) checkRange("gravity", config.gravity[i], -1e4, 1e4);
   checkRange("solver/time_step", config.solver.time_step, 1e-6, 1);
   if (config.solver.beta != 0) checkRange("solver/beta", config.solver.beta, 1e-3, 1);

@@ -6,7 +6,7 @@
 namespace shell_origami {
 
 double FoldRamp::angleAt(double t) const {
-  if (!runningAt(t)) return target;
+  if (!runningAt(t)) return target + set;
   const double s = std::max(0.0, (t - start) / duration);
   const double smooth = s * s * (3 - 2 * s);
   const double begin = std::tan(lead_from / 2), end = std::tan(lead_target / 2);

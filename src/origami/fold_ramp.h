@@ -18,6 +18,7 @@ struct FoldRamp {
   double start = 0;        ///< [s] simulation time
   double duration = 0;     ///< [s]; 0: at once
   double stiffness = 0;    ///< [N*m/rad per m]
+  double set = 0;          ///< what yielding added to the rest angle [rad]
 
   /// Rest angle at simulation time t [rad].
   double angleAt(double t) const;

@@ -1,5 +1,6 @@
 #include "origami/recipe.h"
 
+#include "sheet/refuse.h"
 #include "sheet/triangulate.h"
 
 #include <Eigen/Geometry>
@@ -57,7 +58,11 @@ struct Start {
       simulation.fold(fold);
     }
   }
-  void operator()(const SettleStep&) const {}
+  void operator()(const SettleStep& step) const {
+    if (!step.quasi_static) return;
+    const StepReport report = simulation.relax();
+    if (!report.converged) refuse("settle: ", report.failure);
+  }
 };
 
 struct Over {

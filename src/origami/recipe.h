@@ -29,7 +29,8 @@ Simulation makeSimulation(const SheetSource& source, const SimulationConfig& con
 struct PinStep { PinWhere where; };
 struct UnpinStep { std::vector<Vector2> points; };  ///< empty: all
 struct FoldStep { std::vector<FoldRequest> folds; double duration = 1; };
-struct SettleStep { double timeout = 5; };          ///< [s]
+/// Waits until the paper has settled; quasi-statically it goes to equilibrium first, at once.
+struct SettleStep { double timeout = 5; bool quasi_static = false; };  ///< [s]
 using RecipeStep = std::variant<PinStep, UnpinStep, FoldStep, SettleStep>;
 
 /// From where the finished model looks best: rviz's orbit camera.

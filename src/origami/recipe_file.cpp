@@ -53,6 +53,25 @@ class Reader {
     return value;
   }
 
+  bool truth(const YAML::Node& node, const std::string& what) const {
+    bool value = false;
+    if (!node.IsScalar() || !YAML::convert<bool>::decode(node, value)) {
+      refuseAt(node, what, " must be true or false");
+    }
+    return value;
+  }
+
+  /// What a word among a few stands for.
+  template <class Value>
+  Value choice(const YAML::Node& node, const std::string& what,
+               const std::map<std::string, Value>& choices) const {
+    const auto found = choices.find(text(node, what));
+    if (found != choices.end()) return found->second;
+    std::string known;
+    for (const auto& entry : choices) known += (known.empty() ? "" : " or ") + entry.first;
+    refuseAt(node, what, " must be ", known, ", not '", node.Scalar(), "'");
+  }
+
   std::vector<double> numbers(const YAML::Node& node, std::size_t count,
                               const std::string& what) const {
     if (!node.IsSequence() || node.size() != count) {
@@ -96,8 +115,16 @@ void readPose(const Reader& reader, const YAML::Node& node, SheetSource& sheet) 
                    }}});
 }
 
+void readCurvature(const Reader& reader, const YAML::Node& node, Roll& roll) {
+  reader.readMap(node, "sheet/curvature",
+                 {{"value", reader.into(roll.curvature, "sheet/curvature/value")},
+                  {"axis_deg", [&](const YAML::Node& value) {
+                     roll.axis = kDegree * reader.number(value, "sheet/curvature/axis_deg");
+                   }}});
+}
+
 void readSheet(const Reader& reader, const YAML::Node& node, const fs::path& folder,
-               SheetSource& sheet) {
+               SheetSource& sheet, Roll& roll) {
   reader.readMap(
       node, "sheet",
       {{"size",
@@ -112,7 +139,8 @@ void readSheet(const Reader& reader, const YAML::Node& node, const fs::path& fol
           sheet.pattern = (folder / reader.text(value, "sheet/pattern")).string();
         }},
        {"scale", reader.into(sheet.scale, "sheet/scale")},
-       {"pose", [&](const YAML::Node& value) { readPose(reader, value, sheet); }}});
+       {"pose", [&](const YAML::Node& value) { readPose(reader, value, sheet); }},
+       {"curvature", [&](const YAML::Node& value) { readCurvature(reader, value, roll); }}});
 }
 
 void readMaterial(const Reader& reader, const YAML::Node& node, Material& material) {
@@ -122,13 +150,27 @@ void readMaterial(const Reader& reader, const YAML::Node& node, Material& materi
                   {"thickness", reader.into(material.thickness, "thickness")},
                   {"density", reader.into(material.density, "density")},
                   {"crease_stiffness", reader.into(material.crease_stiffness, "crease_stiffness")},
-                  {"air_damping", reader.into(material.air_damping, "air_damping")}});
+                  {"air_damping", reader.into(material.air_damping, "air_damping")},
+                  {"membrane",
+                   [&](const YAML::Node& value) {
+                     material.membrane = reader.choice(value, "membrane", membraneNames());
+                   }},
+                  {"crease_height_term",
+                   [&](const YAML::Node& value) {
+                     material.crease_height_term = reader.truth(value, "crease_height_term");
+                   }},
+                  {"yield_curvature", reader.into(material.yield_curvature, "yield_curvature")},
+                  {"hardening", reader.into(material.hardening, "hardening")}});
 }
 
 void readSolver(const Reader& reader, const YAML::Node& node, SolverConfig& solver) {
   reader.readMap(
       node, "solver",
-      {{"time_step", reader.into(solver.time_step, "time_step")},
+      {{"integrator",
+        [&](const YAML::Node& value) {
+          solver.integrator = reader.choice(value, "integrator", integratorNames());
+        }},
+       {"time_step", reader.into(solver.time_step, "time_step")},
        {"beta", reader.into(solver.beta, "beta")},
        {"gamma", reader.into(solver.gamma, "gamma")},
        {"tolerance", reader.into(solver.tolerance, "tolerance")},
@@ -243,10 +285,14 @@ RecipeStep readStep(const Reader& reader, const YAML::Node& node, double fold_du
         }},
        {"settle", [&](const YAML::Node& value) {
           SettleStep step;
-          reader.readMap(value, "settle", {{"timeout", [&](const YAML::Node& timeout) {
-                                              step.timeout =
-                                                  readSeconds(reader, timeout, "timeout");
-                                            }}});
+          reader.readMap(value, "settle",
+                         {{"timeout",
+                           [&](const YAML::Node& timeout) {
+                             step.timeout = readSeconds(reader, timeout, "timeout");
+                           }},
+                          {"quasi_static", [&](const YAML::Node& at_once) {
+                             step.quasi_static = reader.truth(at_once, "quasi_static");
+                           }}});
           steps.push_back(step);
         }}});
   if (steps.size() != 1) {
@@ -278,7 +324,10 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
   YAML::Node steps;
   reader.readMap(
       root, "the recipe",
-      {{"sheet", [&](const YAML::Node& node) { readSheet(reader, node, folder, recipe.sheet); }},
+      {{"sheet", 
+        [&](const YAML::Node& node) {
+          readSheet(reader, node, folder, recipe.sheet, config.rest);
+        }},
        {"material", [&](const YAML::Node& node) { readMaterial(reader, node, config.material); }},
        {"solver", [&](const YAML::Node& node) { readSolver(reader, node, config.solver); }},
        {"gravity",

@@ -9,18 +9,6 @@
 namespace shell_origami {
 namespace {
 
-/// A free crease has this part of a crease's stiffness: it follows whatever pulls at it.
-constexpr double kFreeCreaseSoftness = 0.01;
-/// It gives way, too: where it rests creeps to where it is within this time [s]. Held at rest flat
-/// it would bend the panels beside it by tens of degrees, towards the half turn.
-constexpr double kCreepTime = 0.05;
-/// Flat paper may go either of two ways at a vertex. So that it goes its pattern's, a free crease
-/// of which the pattern asks for a mountain or a valley leans to that side, as stiff as any, while
-/// the folds begin: by this part of the farthest one's angle, and no farther than this [rad]. Where
-/// it leaned more than it will have to fold (0.71 of the others in a waterbomb base) the vertex
-/// would pop the wrong way; half would not turn every fast vertex of four.
-constexpr double kLean = 0.6;
-constexpr double kMostLean = 2 * M_PI / 180;
 /// Beyond this [N*m/rad per m], 20,000 times a paper's crease, the matrix of a step is too badly
 /// conditioned to be factorized.
 constexpr double kStiffest = 100;
@@ -60,21 +48,24 @@ Positions flatInSpace(const Sheet& sheet) {
   return positions;
 }
 
-/// Moves the rest angles along their ramps within one step.
-class Simulation::RampDrive : public Drive {
+/// Moves the rest angles along their ramps within one step, and pins that are carried straight to
+/// where they go.
+class Simulation::StepDrive : public Drive {
  public:
-  explicit RampDrive(const Simulation& simulation) : simulation_(simulation) {}
+  explicit StepDrive(const Simulation& simulation)
+      : simulation_(simulation), start_(simulation.motion_.positions) {}
 
-  void moveTo(double s, Shell& shell) override {
+  void moveTo(double s, Shell& shell, Positions& held) override {
     const double t = simulation_.time_ + s * simulation_.config_.solver.time_step;
-    for (std::size_t i = 0; i < simulation_.ramps_.size(); ++i) {
-      const FoldRamp& ramp = simulation_.ramps_[i];
-      shell.setCrease(static_cast<int>(i), ramp.angleAt(t), ramp.stiffness);
+    simulation_.creases_.apply(t, shell);
+    for (const auto& [v, place] : simulation_.carried_) {
+      held.col(v) = (1 - s) * start_.col(v) + s * place;
     }
   }
 
  private:
   const Simulation& simulation_;
+  const Positions start_;
 };
 
 Simulation::Simulation(Sheet sheet, const SimulationConfig& config)
@@ -88,19 +79,17 @@ Simulation::Simulation(Sheet sheet, const SimulationConfig& config, const Positi
       shell_(sheet_, config_.material, config_.gravity),
       motion_{positions, Positions::Zero(3, positions.cols()),
               Positions::Zero(3, positions.cols())},
-      integrator_(config_.solver) {
+      rest_(config_.rest, sheet_),
+      stepper_(config_.solver) {
   if (positions.cols() != sheet_.vertexCount() || !positions.allFinite()) {
     refuse("the sheet has ", sheet_.vertexCount(), " vertices, but ", positions.cols(),
            " finite positions are needed");
   }
-  const double stiffness = config_.material.crease_stiffness;
-  for (std::size_t i = 0; i < sheet_.creases().size(); ++i) {
-    FoldRamp ramp;
-    ramp.driven = std::isfinite(rest_angles.at(i));
-    ramp.stiffness = ramp.driven ? stiffness : kFreeCreaseSoftness * stiffness;
-    ramp.target = ramp.driven ? rest_angles[i] : meanAngle(static_cast<int>(i));
-    ramps_.push_back(ramp);
+  if (rest_angles.size() != sheet_.creases().size()) {
+    refuse("the sheet has ", sheet_.creases().size(), " creases, but ", rest_angles.size(),
+           " rest angles are given");
   }
+  creases_ = CreaseDrive(rest_angles, config_.material.crease_stiffness, shell_, positions);
   topologyChanged();
 }
 
@@ -111,8 +100,8 @@ FoldResult Simulation::fold(const FoldRequest& request) {
   }
   if (const auto* line = std::get_if<Line>(&request.where)) return foldLine(*line, request);
   const auto [a, b] = std::get<VertexPair>(request.where).vertices;
-  checkVertex(a);
-  checkVertex(b);
+  checkVertex(sheet_, a);
+  checkVertex(sheet_, b);
   if (a == b) refuse("both ends of the line are vertex ", a);
   return foldLine({sheet_.flatPositions()[a], sheet_.flatPositions()[b]}, request);
 }
@@ -124,13 +113,9 @@ FoldResult Simulation::foldLine(const Line& line, const FoldRequest& request) {
   for (std::uint32_t id : made.crease_ids) {
     startRamp(sheet_.creaseIndex(id), request.angle, request);
   }
-  keepTogether();
-  EditRecord edit;
+  creases_.keepTogether(time_);
+  EditRecord edit = foldRecord(request, made.vertices);
   edit.line = {line[0], line[1]};
-  edit.vertices = made.vertices;
-  edit.angle = request.angle;
-  edit.duration = request.duration.value_or(config_.fold_duration);
-  edit.stiffness = request.stiffness.value_or(config_.material.crease_stiffness);
   record(std::move(edit));
   return {std::move(made.crease_ids), std::move(made.vertices), made.parts};
 }
@@ -149,76 +134,32 @@ FoldResult Simulation::foldNamed(const std::string& name, const FoldRequest& req
     result.vertices.insert(result.vertices.end(), crease.vertices.begin(), crease.vertices.end());
   }
   if (result.crease_ids.empty()) refuse("no crease or group of creases is called '", name, "'");
-  keepTogether();
-  EditRecord edit;
+  creases_.keepTogether(time_);
+  EditRecord edit = foldRecord(request, result.vertices);
   edit.crease = name;
-  edit.vertices = result.vertices;
-  edit.angle = request.angle;
-  edit.duration = request.duration.value_or(config_.fold_duration);
-  edit.stiffness = request.stiffness.value_or(config_.material.crease_stiffness);
   record(std::move(edit));
   return result;
 }
 
 void Simulation::startRamp(int crease, double target, const FoldRequest& request) {
-  FoldRamp& ramp = ramps_[crease];
-  // A driven crease starts from where it rests, so that no moment jumps; a free one from the
-  // angle it has.
-  ramp.from = ramp.driven ? ramp.angleAt(time_) : meanAngle(crease);
-  ramp.driven = true;
-  ramp.target = target;
-  ramp.start = time_;
-  ramp.duration = request.duration.value_or(config_.fold_duration);
-  ramp.stiffness = request.stiffness.value_or(config_.material.crease_stiffness);
+  creases_.start(crease, target, time_, request.duration.value_or(config_.fold_duration),
+                 request.stiffness.value_or(config_.material.crease_stiffness), shell_,
+                 motion_.positions);
 }
 
-/// Gives every ramp that begins now its lead.
-void Simulation::keepTogether() {
-  for (FoldRamp& ramp : ramps_) {
-    if (!ramp.driven || ramp.start != time_) continue;
-    const FoldRamp* lead = &ramp;
-    for (const FoldRamp& other : ramps_) {
-      if (other.runsWith(ramp) && other.way() > lead->way()) lead = &other;
-    }
-    ramp.lead_from = lead->from;
-    ramp.lead_target = lead->target;
-  }
-}
-
-/// Lets free creases lean, and give way.
-void Simulation::creep() {
-  double farthest = 0;
-  for (const FoldRamp& ramp : ramps_) {
-    if (ramp.driven) farthest = std::max(farthest, std::abs(ramp.angleAt(time_)));
-  }
-  const double lean = std::min(kLean * farthest, kMostLean);
-  const double part = 1 - std::exp(-config_.solver.time_step / kCreepTime);
-  const double stiffness = config_.material.crease_stiffness;
-  for (std::size_t i = 0; i < ramps_.size(); ++i) {
-    FoldRamp& ramp = ramps_[i];
-    if (ramp.driven) continue;
-    const double asked = sheet_.creases()[i].pattern_angle;  // NaN: nothing
-    const double side = asked > 0 ? 1 : asked < 0 ? -1 : 0;
-    const double angle = meanAngle(static_cast<int>(i));
-    const bool leans = side != 0 && lean > 0 && side * angle < lean;
-    ramp.target = leans ? side * lean : ramp.target + part * (angle - ramp.target);
-    ramp.stiffness = leans ? stiffness : kFreeCreaseSoftness * stiffness;
-  }
+EditRecord Simulation::foldRecord(const FoldRequest& request,
+                                  const std::vector<int>& vertices) const {
+  EditRecord edit;
+  edit.vertices = vertices;
+  edit.angle = request.angle;
+  edit.duration = request.duration.value_or(config_.fold_duration);
+  edit.stiffness = request.stiffness.value_or(config_.material.crease_stiffness);
+  return edit;
 }
 
 void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_before) {
-  std::vector<FoldRamp> ramps;
-  for (const Crease& crease : sheet_.creases()) {
-    std::uint32_t ancestor = crease.id;
-    for (const Remap::Born& born : remap.born) {
-      if (born.crease == crease.id) ancestor = born.parent;
-    }
-    const auto old = std::find_if(creases_before.begin(), creases_before.end(),
-                                  [&](const Crease& c) { return c.id == ancestor; });
-    ramps.push_back(old == creases_before.end() ? FoldRamp{}
-                                                : ramps_[old - creases_before.begin()]);
-  }
-  ramps_ = std::move(ramps);
+  creases_.follow(remap, creases_before, sheet_.creases());
+  rest_.follow(remap, sheet_);
   motion_.positions = remap.apply(motion_.positions, sheet_.vertexCount());
   motion_.velocities = remap.apply(motion_.velocities, sheet_.vertexCount());
   motion_.accelerations = remap.apply(motion_.accelerations, sheet_.vertexCount());
@@ -227,7 +168,8 @@ void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_b
 
 void Simulation::topologyChanged() {
   shell_ = Shell(sheet_, config_.material, config_.gravity);
-  RampDrive(*this).moveTo(0, shell_);
+  creases_.apply(time_, shell_);
+  rest_.apply(shell_);
   pinsChanged();
 }
 
@@ -238,67 +180,11 @@ void Simulation::pinsChanged() {
     motion_.velocities.col(v).setZero();
     motion_.accelerations.col(v).setZero();
   }
-  integrator_.setTopology(shell_, free);
-}
-
-void Simulation::checkVertex(std::int64_t vertex) const {
-  if (vertex < 0 || vertex >= sheet_.vertexCount()) {
-    refuse("vertex ", vertex, " does not exist: the sheet has ", sheet_.vertexCount());
-  }
-}
-
-std::vector<int> Simulation::verticesAt(const PinWhere& where) const {
-  std::set<int> found;
-  if (const auto* ids = std::get_if<std::vector<std::int64_t>>(&where)) {
-    if (ids->empty()) refuse("no vertices are given");
-    for (std::int64_t v : *ids) {
-      checkVertex(v);
-      found.insert(static_cast<int>(v));
-    }
-  } else if (const auto* points = std::get_if<std::vector<Vector2>>(&where)) {
-    if (points->empty()) refuse("no points are given");
-    for (const Vector2& p : *points) {
-      if (!p.allFinite()) refuse("the point (", p.x(), ", ", p.y(), ") is not finite");
-      if (!sheet_.triangulation().locate(p, 1e-6 * sheet_.size())) {
-        refuse("the point (", p.x(), ", ", p.y(), ") is off the paper");
-      }
-      found.insert(sheet_.nearestVertex(p));
-    }
-  } else if (const auto* region = std::get_if<Region>(&where)) {
-    if (region->corners.size() < 3) {
-      refuse("a region needs at least three corners, not ", region->corners.size());
-    }
-    for (const Vector2& p : region->corners) {
-      if (!p.allFinite()) refuse("the corner (", p.x(), ", ", p.y(), ") is not finite");
-    }
-    for (int v = 0; v < sheet_.vertexCount(); ++v) {
-      if (polygonContains(region->corners, sheet_.flatPositions()[v], 1e-9 * sheet_.size())) {
-        found.insert(v);
-      }
-    }
-    if (found.empty()) {
-      const Vector2& corner = region->corners[0];
-      refuse("no vertex lies in the region that starts at (", corner.x(), ", ", corner.y(), ")");
-    }
-  } else {
-    const Ball& ball = std::get<Ball>(where);
-    if (!ball.center.allFinite()) refuse("the center of the ball is not finite");
-    if (!(ball.radius > 0 && std::isfinite(ball.radius))) {
-      refuse("radius ", ball.radius, " m is not positive and finite");
-    }
-    for (int v = 0; v < sheet_.vertexCount(); ++v) {
-      if ((motion_.positions.col(v) - ball.center).norm() <= ball.radius) found.insert(v);
-    }
-    if (found.empty()) {
-      refuse("no vertex is within ", ball.radius, " m of (", ball.center.x(), ", ",
-             ball.center.y(), ", ", ball.center.z(), ")");
-    }
-  }
-  return {found.begin(), found.end()};
+  stepper_.setTopology(std::move(free));
 }
 
 std::vector<int> Simulation::pin(const PinWhere& where) {
-  const std::vector<int> vertices = verticesAt(where);
+  const std::vector<int> vertices = verticesAt(where, sheet_, motion_.positions);
   pinned_.insert(vertices.begin(), vertices.end());
   pinsChanged();
   EditRecord edit;
@@ -311,7 +197,7 @@ std::vector<int> Simulation::pin(const PinWhere& where) {
 std::vector<int> Simulation::unpin(const std::vector<std::int64_t>& vertices) {
   std::set<int> freed;
   for (std::int64_t v : vertices) {
-    checkVertex(v);
+    checkVertex(sheet_, v);
     if (!pinned_.count(static_cast<int>(v))) refuse("vertex ", v, " is not pinned");
     freed.insert(static_cast<int>(v));
   }
@@ -326,8 +212,8 @@ std::vector<int> Simulation::unpin(const std::vector<std::int64_t>& vertices) {
 }
 
 int Simulation::addVertex(std::int64_t a, std::int64_t b, double fraction) {
-  checkVertex(a);
-  checkVertex(b);
+  checkVertex(sheet_, a);
+  checkVertex(sheet_, b);
   const std::vector<Crease> creases_before = sheet_.creases();
   const AddedVertex added =
       shell_origami::addVertex(sheet_, static_cast<int>(a), static_cast<int>(b), fraction);
@@ -349,29 +235,51 @@ void Simulation::record(EditRecord edit) {
 
 std::vector<EditRecord> Simulation::takeEdits() { return std::exchange(edits_, {}); }
 
-double Simulation::meanAngle(int crease) const {
-  double weighted = 0, length = 0;
-  for (int j : shell_.creaseHinges()[crease]) {
-    weighted += shell_.hinges()[j].length * shell_.foldAngle(j, motion_.positions);
-    length += shell_.hinges()[j].length;
+void Simulation::carry(const std::vector<int>& vertices, const Positions& places) {
+  if (places.cols() != static_cast<Eigen::Index>(vertices.size()) || !places.allFinite()) {
+    refuse(vertices.size(), " vertices need as many finite places, not ", places.cols());
   }
-  return weighted / length;
+  for (int v : vertices) {
+    if (!pinned_.count(v)) refuse("vertex ", v, " is not pinned");
+  }
+  for (std::size_t i = 0; i < vertices.size(); ++i) carried_[vertices[i]] = places.col(i);
 }
 
-StepReport Simulation::step() {
-  RampDrive drive(*this);
-  StepReport report =
-      integrator_.step(shell_, config_.material.air_damping, drive, motion_);
+StepReport Simulation::counted(StepReport report) {
   counters_.newton_iterations += report.newton_iterations;
   counters_.factorizations += report.factorizations;
   counters_.retries += report.retries;
+  return report;
+}
+
+StepReport Simulation::step() {
+  StepDrive drive(*this);
+  const StepReport report =
+      counted(stepper_.step(shell_, config_.material.air_damping, drive, motion_));
+  carried_.clear();
   if (!report.converged) {
-    drive.moveTo(0, shell_);
+    creases_.apply(time_, shell_);
     return report;
   }
   ++counters_.steps;
   time_ += config_.solver.time_step;
-  creep();
+  creases_.creep(time_, config_.solver.time_step, sheet_, shell_, motion_.positions);
+  creases_.yield(time_, config_.material, shell_, motion_.positions);
+  rest_.yield(config_.material, motion_.positions, shell_);
+  return report;
+}
+
+StepReport Simulation::relax() {
+  const CreaseDrive before = creases_;
+  const auto give_way = [this](Shell& shell, const Positions& positions) {
+    creases_.creep(time_, config_.solver.time_step, sheet_, shell, positions);
+    creases_.apply(time_, shell);
+  };
+  const StepReport report = counted(stepper_.relax(shell_, give_way, motion_));
+  if (!report.converged) {
+    creases_ = before;
+    creases_.apply(time_, shell_);
+  }
   return report;
 }
 
@@ -381,10 +289,10 @@ std::vector<CreaseStatus> Simulation::creases() const {
     CreaseStatus status;
     status.id = sheet_.creases()[i].id;
     status.name = sheet_.creases()[i].name;
-    status.angle = meanAngle(static_cast<int>(i));
-    status.rest_angle = ramps_[i].angleAt(time_);
-    status.target_angle = ramps_[i].target;
-    status.driven = ramps_[i].driven;
+    status.angle = meanAngle(static_cast<int>(i), shell_, motion_.positions);
+    status.rest_angle = creases_.ramps()[i].angleAt(time_);
+    status.target_angle = creases_.ramps()[i].target;
+    status.driven = creases_.ramps()[i].driven;
     status.angle_min = M_PI;
     status.angle_max = -M_PI;
     double length = 0;
@@ -423,10 +331,7 @@ double Simulation::maxStrain() const {
   return largest;
 }
 
-bool Simulation::folding() const {
-  return std::any_of(ramps_.begin(), ramps_.end(),
-                     [this](const FoldRamp& ramp) { return ramp.runningAt(time_); });
-}
+bool Simulation::folding() const { return creases_.runningAt(time_); }
 
 bool Simulation::settled() const {
   return !folding() && rootMeanSquare(motion_.velocities) < kSettledSpeed * sheet_.size() &&

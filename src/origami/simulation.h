@@ -2,13 +2,15 @@
 /// The one door to the core: a sheet of paper that is edited, stepped and looked at.
 #pragma once
 
-#include "dynamics/newmark.h"
-#include "origami/fold_ramp.h"
+#include "dynamics/stepper.h"
+#include "origami/crease_drive.h"
+#include "origami/pins.h"
 #include "sheet/fold_line.h"
 #include "sheet/sheet.h"
 #include "shell/shell.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -26,6 +28,7 @@ struct SimulationConfig {
   Vector3 gravity = Vector3::Zero();  ///< [m/s^2]; zero: the paper floats
   SolverConfig solver;
   double fold_duration = 1.0;  ///< of a fold that states none [s]
+  Roll rest;                   ///< how the sheet is rolled up when it rests
 };
 
 /// \throws std::invalid_argument with a sentence that names the offending parameter and value.
@@ -54,19 +57,6 @@ struct FoldResult {
   std::vector<int> vertices;  ///< the polyline in order; of a group, one crease after the other
   int parts = 1;              ///< of a line, that lie on the paper; more where it has holes
 };
-
-/// A ball in space: every vertex now inside it.
-struct Ball {
-  Vector3 center;
-  double radius;  ///< [m]
-};
-/// A polygon on the flat sheet: every vertex inside it or on it.
-struct Region {
-  std::vector<Vector2> corners;
-};
-using PinWhere = std::variant<std::vector<std::int64_t>,  // vertices
-                              std::vector<Vector2>,       // nearest vertex of each flat point
-                              Region, Ball>;
 
 /// One crease now. Angles in radians, valley > 0, means weighted by length.
 struct CreaseStatus {
@@ -128,9 +118,15 @@ class Simulation {
   /// The edits taken since the last call, oldest first.
   std::vector<EditRecord> takeEdits();
 
+  /// Carries held vertices to these places (one column each) [m] within the next step.
+  void carry(const std::vector<int>& vertices, const Positions& places);
+
   /// Advances by SolverConfig::time_step. A step that does not converge leaves everything as it
   /// was and says so in the report.
   StepReport step();
+  /// Goes to equilibrium at once, without time passing, everything at rest where ramps are now. If
+  /// there is none (paper that is not pinned falls) it leaves everything as it was and says so.
+  StepReport relax();
 
   const Sheet& sheet() const { return sheet_; }
   const SimulationConfig& config() const { return config_; }
@@ -150,16 +146,13 @@ class Simulation {
   bool settled() const;
 
  private:
-  class RampDrive;
+  class StepDrive;
   FoldResult foldLine(const Line& line, const FoldRequest& request);
   FoldResult foldNamed(const std::string& name, const FoldRequest& request);
   void startRamp(int crease, double target, const FoldRequest& request);
-  void keepTogether();
-  void creep();
-  std::vector<int> verticesAt(const PinWhere& where) const;
-  void checkVertex(std::int64_t vertex) const;
+  EditRecord foldRecord(const FoldRequest& request, const std::vector<int>& vertices) const;
+  StepReport counted(StepReport report);
   void follow(const Remap& remap, const std::vector<Crease>& creases_before);
-  double meanAngle(int crease) const;
   void topologyChanged();
   void pinsChanged();
   void record(EditRecord edit);
@@ -168,9 +161,11 @@ class Simulation {
   Sheet sheet_;
   Shell shell_;
   Motion motion_;
-  std::vector<FoldRamp> ramps_;  ///< one for each crease of the sheet
+  CreaseDrive creases_;
+  RestShape rest_;
   std::set<int> pinned_;
-  Newmark integrator_;
+  std::map<int, Vector3> carried_;  ///< where pins go within the next step
+  Stepper stepper_;
   Counters counters_;
   std::vector<EditRecord> edits_;
   double time_ = 0;

@@ -2,7 +2,19 @@
 /// What the paper is made of.
 #pragma once
 
+#include <map>
+#include <string>
+
 namespace shell_origami {
+
+/// How stretching and shearing cost energy.
+enum class MembraneKind {
+  kStVenantKirchhoff,  ///< the paper's own E t and nu, in every direction
+  kDiscreteShells      ///< edge-length and area terms (Grinspun et al. 2003, section 3)
+};
+
+/// The kinds by the names that people write.
+const std::map<std::string, MembraneKind>& membraneNames();
 
 /// Isotropic elastic paper. Defaults are copy paper.
 struct Material {
@@ -12,12 +24,27 @@ struct Material {
   double density = 800;           ///< rho [kg/m^3]
   double crease_stiffness = 5e-3; ///< c [N*m/rad per m of crease]
   double air_damping = 5;         ///< mass-proportional [1/s]
+  MembraneKind membrane = MembraneKind::kStVenantKirchhoff;
+  /// Whether a crease's stiffness is divided by the height of the triangles beside it, over the
+  /// sheet's mean height (Discrete Shells Origami, equation of figure 11), or only proportional to
+  /// its length (the same paper's proposal, section 5.1).
+  bool crease_height_term = false;
+  /// Bent further than this the paper keeps part of the bend [1/m]; 0: it is elastic.
+  double yield_curvature = 0;
+  /// Rise of the yield curvature per plastic curvature; negative: the paper weakens.
+  double hardening = 0;
 
   /// B = E t^3 / (12 (1 - nu^2)) [N*m].
   double bendingStiffness() const {
     return youngs_modulus * thickness * thickness * thickness /
            (12 * (1 - poisson_ratio * poisson_ratio));
   }
+  /// Plane-stress Lame constants lambda = E nu / (1 - nu^2) and mu = E / (2 (1 + nu)), times t
+  /// [N/m].
+  double membraneLambda() const {
+    return youngs_modulus * thickness * poisson_ratio / (1 - poisson_ratio * poisson_ratio);
+  }
+  double membraneMu() const { return youngs_modulus * thickness / (2 * (1 + poisson_ratio)); }
   /// rho t [kg/m^2].
   double arealDensity() const { return density * thickness; }
 };

@@ -26,10 +26,8 @@ MembraneElement::MembraneElement(const std::array<Vector2, 3>& flat, const Mater
     const Vector2 edge = flat[(k + 2) % 3] - flat[(k + 1) % 3];
     shape_.row(k) = Eigen::RowVector2d(-edge.y(), edge.x()) / area2;
   }
-  const double nu = material.poisson_ratio;
-  const double volume = area2 / 2 * material.thickness;
-  lambda_ = volume * material.youngs_modulus * nu / (1 - nu * nu);
-  mu_ = volume * material.youngs_modulus / (2 * (1 + nu));
+  lambda_ = area2 / 2 * material.membraneLambda();
+  mu_ = area2 / 2 * material.membraneMu();
 }
 
 MembraneElement::Deformation MembraneElement::deformation(const TrianglePoints& x) const {

@@ -39,35 +39,50 @@ Shell::Shell(const Sheet& sheet, const Material& material, const Vector3& gravit
       masses_(Eigen::VectorXd::Zero(sheet.vertexCount())),
       gravity_(gravity) {
   const auto& flat = sheet.flatPositions();
+  if (material.membrane == MembraneKind::kDiscreteShells) {
+    membranes_.emplace<std::vector<EdgeAreaMembrane>>();
+  }
   for (const Triangle& t : triangles_) {
-    membranes_.emplace_back(std::array<Vector2, 3>{flat[t[0]], flat[t[1]], flat[t[2]]}, material);
+    const std::array<Vector2, 3> corners{flat[t[0]], flat[t[1]], flat[t[2]]};
+    std::visit([&](auto& membranes) { membranes.emplace_back(corners, material); }, membranes_);
     const double area = doubleArea(flat[t[0]], flat[t[1]], flat[t[2]]) / 2;
     for (int v : t) masses_[v] += material.arealDensity() * area / 3;
   }
-  for (const Edge& edge : sheet.edges()) {
+  for (std::size_t i = 0; i < sheet.edges().size(); ++i) {
+    const Edge& edge = sheet.edges()[i];
     if (edge.onBorder()) continue;
     const auto [a, b] = edge.vertices;
     Hinge hinge;
     hinge.vertices = {a, b, edge.opposite[0], edge.opposite[1]};
     hinge.length = (flat[b] - flat[a]).norm();
+    hinge.width = (heightOn(flat[a], flat[b], flat[edge.opposite[0]]) +
+                   heightOn(flat[a], flat[b], flat[edge.opposite[1]])) / 3;
+    hinge.edge = static_cast<int>(i);
     hinge.crease = edge.crease;
     if (edge.crease >= 0) {
       crease_hinges_[edge.crease].push_back(static_cast<int>(hinges_.size()));
     } else {
       // W = k (phi - rest)^2 |e| / h_e with k = B / 6 and h_e a third of the mean height: the
-      // plate's bending energy, in every direction on an equilateral mesh.
-      const double mean_height = (heightOn(flat[a], flat[b], flat[edge.opposite[0]]) +
-                                  heightOn(flat[a], flat[b], flat[edge.opposite[1]])) / 2;
-      hinge.stiffness = 2 * material.bendingStiffness() / 6 * hinge.length / (mean_height / 3);
+      // plate's bending energy, in every direction on an equilateral mesh. h_e is half the width.
+      hinge.stiffness = 2 * material.bendingStiffness() / 6 * hinge.length / (hinge.width / 2);
     }
     hinges_.push_back(hinge);
   }
+  if (!material.crease_height_term) return;
+  for (const Hinge& hinge : hinges_) {
+    crease_width_ += hinge.width / static_cast<double>(hinges_.size());
+  }
+}
+
+void Shell::setRestAngle(int hinge, double rest_angle) {
+  hinges_[hinge].rest_angle = std::clamp(rest_angle, -kLastRestAngle, kLastRestAngle);
 }
 
 void Shell::setCrease(int crease, double rest_angle, double stiffness) {
   for (int j : crease_hinges_[crease]) {
     hinges_[j].rest_angle = std::clamp(rest_angle, -kLastRestAngle, kLastRestAngle);
-    hinges_[j].stiffness = stiffness * hinges_[j].length;
+    const double part = crease_width_ > 0 ? crease_width_ / hinges_[j].width : 1;
+    hinges_[j].stiffness = stiffness * part * hinges_[j].length;
   }
 }
 
@@ -82,9 +97,13 @@ HingePoints Shell::pointsOf(const Hinge& h, const Positions& x) const {
 
 double Shell::membraneEnergy(const Positions& x) const {
   double energy = 0;
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    energy += membranes_[i].energy(pointsOf(triangles_[i], x));
-  }
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          energy += membranes[i].energy(pointsOf(triangles_[i], x));
+        }
+      },
+      membranes_);
   return energy;
 }
 
@@ -119,11 +138,16 @@ void Shell::foldAngles(const Positions& x, std::vector<double>& angles) const {
 double Shell::energy(const Positions& x, const std::vector<double>& angles) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double energy = gravityEnergy(x);
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    const TrianglePoints points = pointsOf(triangles_[i], x);
-    if (!(membranes_[i].areaRatio(points) > kCollapsed)) return kInfinity;
-    energy += membranes_[i].energy(points);
-  }
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          const TrianglePoints points = pointsOf(triangles_[i], x);
+          if (!(membranes[i].areaRatio(points) > kCollapsed)) energy = kInfinity;
+          energy += membranes[i].energy(points);
+        }
+      },
+      membranes_);
+  if (!(energy < kInfinity)) return kInfinity;
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
     const double theta = shell_origami::foldAngle(pointsOf(hinges_[j], x));
     const bool past = std::abs(theta) > kLastAngle && std::abs(theta) > std::abs(angles[j]);
@@ -137,10 +161,14 @@ double Shell::energy(const Positions& x, const std::vector<double>& angles) cons
 void Shell::addGradient(const Positions& x, const std::vector<double>& angles,
                         Positions& gradient) const {
   gradient.noalias() -= gravity_ * masses_.transpose();
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
-    const MembraneGradient g = membranes_[i].gradient(pointsOf(triangles_[i], x));
-    for (int k = 0; k < 3; ++k) gradient.col(triangles_[i][k]) += g.segment<3>(3 * k);
-  }
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          const MembraneGradient g = membranes[i].gradient(pointsOf(triangles_[i], x));
+          for (int k = 0; k < 3; ++k) gradient.col(triangles_[i][k]) += g.segment<3>(3 * k);
+        }
+      },
+      membranes_);
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
     const Hinge& hinge = hinges_[j];
     const Bend bend = hinge.bend(angles[j]);

@@ -4,9 +4,11 @@
 
 #include "sheet/sheet.h"
 #include "shell/dihedral.h"
+#include "shell/edge_area_membrane.h"
 #include "shell/material.h"
 #include "shell/membrane.h"
 
+#include <variant>
 #include <vector>
 
 namespace shell_origami {
@@ -16,6 +18,8 @@ namespace shell_origami {
 struct Hinge {
   std::array<int, 4> vertices;
   double length = 0;      ///< |e| on the flat sheet [m]
+  double width = 0;       ///< of the paper that bends in it: two thirds of its mean height [m]
+  int edge = -1;          ///< index into Sheet::edges()
   double stiffness = 0;   ///< [J]
   double rest_angle = 0;  ///< [rad]
   int crease = -1;        ///< index into Sheet::creases(), or -1
@@ -39,6 +43,9 @@ class Shell {
   /// Rest angle [rad] and stiffness [N*m/rad per m] of a crease's hinges. Creases are held short
   /// of 180 degrees, and so is the rest angle.
   void setCrease(int crease, double rest_angle, double stiffness);
+
+  /// Rest angle [rad] of an ordinary hinge, held short of 180 degrees.
+  void setRestAngle(int hinge, double rest_angle);
 
   int vertexCount() const { return static_cast<int>(masses_.size()); }
   const Eigen::VectorXd& masses() const { return masses_; }  ///< lumped, one a vertex [kg]
@@ -80,9 +87,11 @@ class Shell {
                             HessianKind kind) const;
 
   std::vector<Triangle> triangles_;
-  std::vector<MembraneElement> membranes_;
+  std::variant<std::vector<MembraneElement>, std::vector<EdgeAreaMembrane>> membranes_;
   std::vector<Hinge> hinges_;
   std::vector<std::vector<int>> crease_hinges_;
+  /// Mean hinge width of the sheet where it counts for creases [m]; 0: it does not.
+  double crease_width_ = 0;
   Eigen::VectorXd masses_;
   Vector3 gravity_;
 };
@@ -91,9 +100,13 @@ template <class Sink>
 void Shell::forEachHessian(const Positions& x, const std::vector<double>& angles,
                            HessianKind kind, Sink&& sink) const {
   const int triangle_count = static_cast<int>(triangles_.size());
-  for (int i = 0; i < triangle_count; ++i) {
-    sink(i, membranes_[i].hessian(pointsOf(triangles_[i], x), kind != HessianKind::kExact));
-  }
+  std::visit(
+      [&](const auto& membranes) {
+        for (int i = 0; i < triangle_count; ++i) {
+          sink(i, membranes[i].hessian(pointsOf(triangles_[i], x), kind != HessianKind::kExact));
+        }
+      },
+      membranes_);
   for (int j = 0; j < static_cast<int>(hinges_.size()); ++j) {
     sink(triangle_count + j, hingeHessian(hinges_[j], angles[j], pointsOf(hinges_[j], x), kind));
   }

@@ -1,0 +1,29 @@
+/// \file
+/// What the implicit schemes share: finding where a step ends.
+#pragma once
+
+#include "dynamics/integrator.h"
+#include "dynamics/newton.h"
+
+namespace shell_origami {
+
+class ImplicitSolver {
+ public:
+  explicit ImplicitSolver(const SolverConfig& config);
+
+  /// Says that topology or held vertices changed: the next solve makes its matrix anew.
+  void topologyChanged() { stale_ = true; }
+
+  /// The minimum of energy and inertia into x, within the tolerance. The search starts at the
+  /// predictor, which saves half of the iterations, unless that throws a hinge through 180 degrees.
+  bool solve(const Load& load, const Inertia& inertia, const Positions& predicted, double dt,
+             const Positions& before, Positions& x, StepReport& report);
+
+ private:
+  double tolerance_;
+  int max_iterations_;
+  bool stale_ = true;
+  Newton newton_;
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,34 @@
+#include "dynamics/symplectic_euler.h"
+
+#include <cmath>
+#include <utility>
+
+namespace shell_origami {
+
+// M (v' - v) / dt = -dW/dx - c M v',   x' = x + dt v'. Air damping is taken at the end of the step,
+// which costs nothing and bounds no step.
+bool SymplecticEuler::step(const Load& load, double dt, Motion& motion, StepReport& report) {
+  load.shell.foldAngles(motion.positions, angles_);
+  gradient_.setZero(3, motion.positions.cols());
+  load.shell.addGradient(motion.positions, angles_, gradient_);
+  Positions velocity = motion.velocities;
+  for (int v = 0; v < static_cast<int>(velocity.cols()); ++v) {
+    if (load.free[v]) {
+      velocity.col(v) -= dt / load.shell.masses()[v] * gradient_.col(v);
+      velocity.col(v) /= 1 + load.air_damping * dt;
+    } else {
+      velocity.col(v) = (load.held.col(v) - motion.positions.col(v)) / dt;
+    }
+  }
+  Positions x = motion.positions + dt * velocity;
+  if (!std::isfinite(load.shell.energy(x, angles_))) {
+    report.failure = "the paper flew apart: the explicit step is too long";
+    return false;
+  }
+  motion.accelerations = (velocity - motion.velocities) / dt;
+  motion.velocities = std::move(velocity);
+  motion.positions = std::move(x);
+  return true;
+}
+
+}  // namespace shell_origami
