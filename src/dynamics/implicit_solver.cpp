@@ -26,8 +26,9 @@ bool ImplicitSolver::solve(const Load& load, const Inertia& inertia, const Posit
   load.shell.foldAngles(before, angles);
   x = withHeld(load, predicted);
   if (!std::isfinite(load.shell.energy(x, angles))) x = withHeld(load, before);
-  if (!std::isfinite(load.shell.energy(x, angles))) {
-    report.failure = "the pins tear at the paper";
+  if (const auto fault = load.shell.findFault(x, angles)) {
+    report.failure = std::string("where pins are carried ") + fault->what;
+    report.vertex = fault->vertex;
     return false;
   }
   const NewtonResult result =
@@ -35,8 +36,10 @@ bool ImplicitSolver::solve(const Load& load, const Inertia& inertia, const Posit
   report.newton_iterations += result.iterations;
   report.factorizations += result.factorizations;
   report.residual = result.last_step / dt;
-  if (result.converged && std::isfinite(load.shell.energy(x, angles))) return true;
-  report.failure = result.converged ? "a hinge jumped or a triangle collapsed" : result.failure;
+  const auto fault = load.shell.findFault(x, angles);
+  if (result.converged && !fault) return true;
+  report.failure = result.converged ? fault->what : result.failure;
+  report.vertex = result.converged ? fault->vertex : result.vertex;
   return false;
 }
 

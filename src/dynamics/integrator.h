@@ -39,7 +39,8 @@ struct StepReport {
   int factorizations = 0;
   int retries = 0;          ///< times a step was cut in two
   double residual = 0;      ///< last Newton step over the time step [m/s]
-  std::string failure;      ///< why it did not converge, and where
+  std::string failure;      ///< why it did not converge
+  int vertex = -1;          ///< where it did not; -1: everywhere
 };
 
 /// What moves the paper during a step.

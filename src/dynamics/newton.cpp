@@ -90,7 +90,7 @@ NewtonResult Newton::minimize(const Shell& shell, const Inertia& inertia, double
       result.failure = "the system matrix could not be factorized";
       return result;
     }
-    result.last_step = std::sqrt(step_.colwise().squaredNorm().maxCoeff());
+    result.last_step = std::sqrt(step_.colwise().squaredNorm().maxCoeff(&result.vertex));
     const double fraction = search(shell, inertia, x);
     if (fraction > 0) x.swap(trial_);
     if (result.last_step <= tolerance) {

@@ -24,6 +24,7 @@ struct NewtonResult {
   int factorizations = 0;
   double last_step = 0;  ///< largest displacement of a vertex by the last full Newton step [m]
   std::string failure;
+  int vertex = -1;  ///< that the last step moved most
 };
 
 /// Newton's method with a line search on the free vertices.

@@ -60,6 +60,7 @@ StepReport Stepper::step(Shell& shell, double air_damping, Drive& drive, Motion&
                      stepInParts(shell, air_damping, drive, 0.5, 1, 1, trial, report);
   if (report.converged) {
     report.failure.clear();
+    report.vertex = -1;
     if (config_.integrator == IntegratorKind::kNewmark) trial.accelerations.setZero();
     motion = std::move(trial);
   }
@@ -83,12 +84,14 @@ StepReport Stepper::relax(Shell& shell,
       length *= kShrink;
       continue;
     }
+    fprintf(stderr,"round %d length %g its %d retries %d residual %g fail %s\n", round, length, report.newton_iterations, report.retries, report.residual, report.failure.c_str());
     const double moved = std::sqrt((next - x).colwise().squaredNorm().maxCoeff());
     x = std::move(next);
     adapt(shell, x);
     if (moved <= still && length >= kLongEnough) {
       motion = {std::move(x), Positions::Zero(3, start.cols()), Positions::Zero(3, start.cols())};
       report.failure.clear();
+      report.vertex = -1;
       return report;
     }
     length = std::min(kGrowth * length, kLongest);

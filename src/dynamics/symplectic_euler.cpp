@@ -1,6 +1,5 @@
 #include "dynamics/symplectic_euler.h"
 
-#include <cmath>
 #include <utility>
 
 namespace shell_origami {
@@ -21,8 +20,9 @@ bool SymplecticEuler::step(const Load& load, double dt, Motion& motion, StepRepo
     }
   }
   Positions x = motion.positions + dt * velocity;
-  if (!std::isfinite(load.shell.energy(x, angles_))) {
-    report.failure = "the paper flew apart: the explicit step is too long";
+  if (const auto fault = load.shell.findFault(x, angles_)) {
+    report.failure = std::string(fault->what) + ": the explicit step is too long";
+    report.vertex = fault->vertex;
     return false;
   }
   motion.accelerations = (velocity - motion.velocities) / dt;

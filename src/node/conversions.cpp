@@ -171,7 +171,8 @@ msg::Edit editMessage(const EditRecord& edit) {
       {EditRecord::kFold, msg::Edit::FOLD},
       {EditRecord::kPin, msg::Edit::PIN},
       {EditRecord::kUnpin, msg::Edit::UNPIN},
-      {EditRecord::kAddVertex, msg::Edit::ADD_VERTEX}};
+      {EditRecord::kAddVertex, msg::Edit::ADD_VERTEX},
+      {EditRecord::kSettle, msg::Edit::SETTLE}};
   msg::Edit message;
   message.step = edit.step;
   message.revision = edit.revision;

@@ -52,6 +52,7 @@ Services::Services(ros::NodeHandle& node, OrigamiNode& origami)
       node.advertiseService("load", &Services::load, this),
       node.advertiseService("save", &Services::save, this),
       node.advertiseService("step", &Services::step, this),
+      node.advertiseService("settle", &Services::settle, this),
       node.advertiseService("pause", &Services::pause, this),
       node.advertiseService("resume", &Services::resume, this),
       node.advertiseService("reset", &Services::reset, this),
@@ -142,6 +143,15 @@ bool Services::step(msg::Step::Request& request, msg::Step::Response& response) 
     }
     response.time = origami_.paper().time();
     return "took " + count(taken, "step", "steps");
+  });
+}
+
+bool Services::settle(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer("settle", response, [&] {
+    const StepReport report = origami_.paper().simulation().settle();
+    if (!report.converged) refuse(report.failure);
+    return "the paper is at rest, after " +
+           count(report.newton_iterations, "iteration", "iterations");
   });
 }
 

@@ -24,6 +24,7 @@ class Services {
   bool load(msg::Load::Request& request, msg::Load::Response& response);
   bool save(msg::Save::Request& request, msg::Save::Response& response);
   bool step(msg::Step::Request& request, msg::Step::Response& response);
+  bool settle(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool resume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);

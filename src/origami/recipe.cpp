@@ -60,8 +60,8 @@ struct Start {
   }
   void operator()(const SettleStep& step) const {
     if (!step.quasi_static) return;
-    const StepReport report = simulation.relax();
-    if (!report.converged) refuse("settle: ", report.failure);
+    const StepReport report = simulation.settle();
+    if (!report.converged) refuse("it cannot settle: ", report.failure);
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace shell_origami {
@@ -245,7 +246,15 @@ void Simulation::carry(const std::vector<int>& vertices, const Positions& places
   for (std::size_t i = 0; i < vertices.size(); ++i) carried_[vertices[i]] = places.col(i);
 }
 
+/// Adds to the counters, and to a failure where on the paper it happened.
 StepReport Simulation::counted(StepReport report) {
+  if (!report.converged && report.vertex >= 0) {
+    const Vector2& p = sheet_.flatPositions()[report.vertex];
+    std::ostringstream place;
+    place << report.failure << ", at vertex " << report.vertex << ", (" << p.x() << ", " << p.y()
+          << ") of the flat sheet";
+    report.failure = place.str();
+  }
   counters_.newton_iterations += report.newton_iterations;
   counters_.factorizations += report.factorizations;
   counters_.retries += report.retries;
@@ -269,7 +278,7 @@ StepReport Simulation::step() {
   return report;
 }
 
-StepReport Simulation::relax() {
+StepReport Simulation::settle() {
   const CreaseDrive before = creases_;
   const auto give_way = [this](Shell& shell, const Positions& positions) {
     creases_.creep(time_, config_.solver.time_step, sheet_, shell, positions);
@@ -279,7 +288,11 @@ StepReport Simulation::relax() {
   if (!report.converged) {
     creases_ = before;
     creases_.apply(time_, shell_);
+    return report;
   }
+  EditRecord edit;
+  edit.kind = EditRecord::kSettle;
+  record(std::move(edit));
   return report;
 }
 

@@ -83,7 +83,7 @@ struct Counters {
 
 /// An edit the paper took. Fields that a kind does not use are empty.
 struct EditRecord {
-  enum Kind { kFold, kPin, kUnpin, kAddVertex } kind = kFold;
+  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle } kind = kFold;
   std::uint64_t step = 0;      ///< steps completed before it
   double time = 0;             ///< [s]
   std::uint32_t revision = 0;  ///< of the sheet after it
@@ -126,7 +126,7 @@ class Simulation {
   StepReport step();
   /// Goes to equilibrium at once, without time passing, everything at rest where ramps are now. If
   /// there is none (paper that is not pinned falls) it leaves everything as it was and says so.
-  StepReport relax();
+  StepReport settle();
 
   const Sheet& sheet() const { return sheet_; }
   const SimulationConfig& config() const { return config_; }

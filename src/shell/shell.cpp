@@ -24,6 +24,12 @@ double heightOn(const Vector2& a, const Vector2& b, const Vector2& apex) {
   return std::abs(doubleArea(a, b, apex)) / (b - a).norm();
 }
 
+bool passedShut(double theta, double before) {
+  return std::abs(theta) > kLastAngle && std::abs(theta) > std::abs(before);
+}
+
+bool jumped(double theta, double before) { return std::abs(theta - before) > 2 * kLargestTurn; }
+
 /// Removes negative eigenvalues.
 HingeHessian project(const HingeHessian& hessian) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian);
@@ -150,12 +156,32 @@ double Shell::energy(const Positions& x, const std::vector<double>& angles) cons
   if (!(energy < kInfinity)) return kInfinity;
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
     const double theta = shell_origami::foldAngle(pointsOf(hinges_[j], x));
-    const bool past = std::abs(theta) > kLastAngle && std::abs(theta) > std::abs(angles[j]);
-    if (past || std::abs(theta - angles[j]) > 2 * kLargestTurn) return kInfinity;
+    if (passedShut(theta, angles[j]) || jumped(theta, angles[j])) return kInfinity;
     const double bend = hinges_[j].bend(theta).value;
     energy += hinges_[j].stiffness / 2 * bend * bend;
   }
   return energy;
+}
+
+std::optional<Fault> Shell::findFault(const Positions& x,
+                                      const std::vector<double>& angles) const {
+  for (int v = 0; v < vertexCount(); ++v) {
+    if (!x.col(v).allFinite()) return Fault{"a position is not finite", v};
+  }
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const TrianglePoints points = pointsOf(triangles_[i], x);
+    const bool collapsed = std::visit(
+        [&](const auto& membranes) { return !(membranes[i].areaRatio(points) > kCollapsed); },
+        membranes_);
+    if (collapsed) return Fault{"a triangle would collapse", triangles_[i][0]};
+  }
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    const double theta = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+    const int v = hinges_[j].vertices[0];
+    if (passedShut(theta, angles[j])) return Fault{"a hinge would pass 180 degrees", v};
+    if (jumped(theta, angles[j])) return Fault{"a hinge would jump", v};
+  }
+  return std::nullopt;
 }
 
 void Shell::addGradient(const Positions& x, const std::vector<double>& angles,

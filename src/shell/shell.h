@@ -8,6 +8,7 @@
 #include "shell/material.h"
 #include "shell/membrane.h"
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -27,6 +28,12 @@ struct Hinge {
   Bend bend(double theta) const {
     return crease < 0 ? hingeBend(theta, rest_angle) : creaseBend(theta, rest_angle);
   }
+};
+
+/// Why a configuration is none of a paper.
+struct Fault {
+  const char* what;
+  int vertex;  ///< of the triangle or hinge
 };
 
 enum class HessianKind {
@@ -66,6 +73,8 @@ class Shell {
   /// hinge): infinite where a hinge would have passed 180 degrees on the way, or a triangle has
   /// collapsed.
   double energy(const Positions& x, const std::vector<double>& angles) const;
+  /// What made energy() infinite; nothing where it is not.
+  std::optional<Fault> findFault(const Positions& x, const std::vector<double>& angles) const;
   void foldAngles(const Positions& x, std::vector<double>& angles) const;
   /// Adds dW/dx [N].
   void addGradient(const Positions& x, const std::vector<double>& angles,
