@@ -16,7 +16,7 @@ class ImplicitSolver {
 
   /// The minimum of energy and inertia into x, within the tolerance. The search starts at the
   /// predictor, which saves half of the iterations, unless that throws a hinge through 180 degrees.
-  bool solve(const Load& load, const Inertia& inertia, const Positions& predicted, double dt,
+  bool solve(const Loading& loading, const Inertia& inertia, const Positions& predicted, double dt,
              const Positions& before, Positions& x, StepReport& report);
 
  private:

@@ -44,7 +44,7 @@ struct StepReport {
 };
 
 /// What moves the paper during a step.
-struct Load {
+struct Loading {
   const Shell& shell;
   double air_damping;             ///< mass-proportional [1/s]
   const std::vector<bool>& free;  ///< one a vertex; the others are held
@@ -56,7 +56,7 @@ class Integrator {
   virtual ~Integrator() = default;
   /// Advances `motion` by dt [s]. False, with the failure in the report and `motion` as it was,
   /// when the scheme finds no step.
-  virtual bool step(const Load& load, double dt, Motion& motion, StepReport& report) = 0;
+  virtual bool step(const Loading& loading, double dt, Motion& motion, StepReport& report) = 0;
 };
 
 class ImplicitSolver;

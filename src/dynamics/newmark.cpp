@@ -13,18 +13,18 @@ Newmark::Newmark(const SolverConfig& config, ImplicitSolver& solver)
 //   a' = (x' - x_pred) / (beta dt^2),   v' = v_pred + gamma dt a'.
 // M a' = -dW/dx - c M v' is then the minimum of W + s/2 |x' - anchor|^2_M with
 //   s = (1 + c gamma dt) / (beta dt^2),   anchor = x_pred - (c / s) v_pred.
-bool Newmark::step(const Load& load, double dt, Motion& motion, StepReport& report) {
+bool Newmark::step(const Loading& loading, double dt, Motion& motion, StepReport& report) {
   const Positions predicted = motion.positions + dt * motion.velocities +
                               dt * dt * (0.5 - beta_) * motion.accelerations;
   const Positions velocity = motion.velocities + dt * (1 - gamma_) * motion.accelerations;
-  const double stiffness = (1 + load.air_damping * gamma_ * dt) / (beta_ * dt * dt);
-  const Inertia inertia{stiffness, predicted - load.air_damping / stiffness * velocity};
+  const double stiffness = (1 + loading.air_damping * gamma_ * dt) / (beta_ * dt * dt);
+  const Inertia inertia{stiffness, predicted - loading.air_damping / stiffness * velocity};
   Positions x;
-  if (!solver_.solve(load, inertia, predicted, dt, motion.positions, x, report)) return false;
+  if (!solver_.solve(loading, inertia, predicted, dt, motion.positions, x, report)) return false;
   motion.accelerations = (x - predicted) / (beta_ * dt * dt);
   motion.velocities = velocity + gamma_ * dt * motion.accelerations;
   for (int v = 0; v < static_cast<int>(x.cols()); ++v) {
-    if (load.free[v]) continue;
+    if (loading.free[v]) continue;
     motion.velocities.col(v) = (x.col(v) - motion.positions.col(v)) / dt;
     motion.accelerations.col(v).setZero();
   }

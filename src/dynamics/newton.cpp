@@ -15,6 +15,11 @@ constexpr int kHalvings = 25;
 /// Rounding in the objective, relative to it: a rise below this is none.
 constexpr double kRounding = 1e-13;
 
+/// What a step must bring the objective down to: `slope` is its first-order change.
+double enough(double start, double slope) {
+  return start + kDecrease * slope + kRounding * std::abs(start);
+}
+
 }  // namespace
 
 void Newton::setTopology(const Shell& shell, const std::vector<bool>& free) {
@@ -57,20 +62,34 @@ bool Newton::direction(const Shell& shell, const Inertia& inertia, const Positio
   return step_.allFinite();
 }
 
-/// Moves trial_ along step_ until the objective falls enough. Returns the fraction of the step,
-/// or 0 when there is none.
-double Newton::search(const Shell& shell, const Inertia& inertia, const Positions& x) {
-  const double start = objective(shell, inertia, x);
-  const double slope = gradient_.cwiseProduct(step_).sum();
-  double fraction = shell.safeStep(x, angles_, step_);
-  for (int i = 0; i < kHalvings; ++i, fraction /= 2) {
-    trial_ = x + fraction * step_;
-    const double rounding = kRounding * std::abs(start);
-    if (objective(shell, inertia, trial_) <= start + kDecrease * fraction * slope + rounding) {
-      return fraction;
-    }
+/// Newton's step from x, by the Hessian that suits this iteration.
+bool Newton::computeStep(const Shell& shell, const Inertia& inertia, const Positions& x,
+                         NewtonResult& result) {
+  shell.foldAngles(x, angles_);
+  ++result.iterations;
+  ++result.factorizations;
+  bool found = result.iterations > kPatience &&
+               direction(shell, inertia, x, HessianKind::kExact);
+  if (!found) {
+    if (result.iterations > kPatience) ++result.factorizations;
+    found = direction(shell, inertia, x, HessianKind::kGaussNewton);
   }
-  return 0;
+  if (!found) return false;
+  result.last_step = std::sqrt(step_.colwise().squaredNorm().maxCoeff(&result.vertex));
+  step_ *= shell.safeStep(x, angles_, step_);
+  return true;
+}
+
+/// Shortens the step from the base until the objective falls enough, and leaves trial_ there.
+bool Newton::backtrack(const Shell& shell, const Inertia& inertia) {
+  angles_ = base_.angles;
+  double fraction = 0.5;
+  for (int i = 0; i < kHalvings; ++i, fraction /= 2) {
+    trial_ = base_.x + fraction * base_.step;
+    const double value = objective(shell, inertia, trial_);
+    if (value <= enough(base_.value, fraction * base_.slope)) return true;
+  }
+  return false;
 }
 
 NewtonResult Newton::minimize(const Shell& shell, const Inertia& inertia, double tolerance,
@@ -80,27 +99,36 @@ NewtonResult Newton::minimize(const Shell& shell, const Inertia& inertia, double
     result.converged = true;
     return result;
   }
+  bool uphill = false;  // x is one step beyond the base, and higher
   while (result.iterations < max_iterations) {
-    ++result.iterations;
-    shell.foldAngles(x, angles_);
-    const bool patient = result.iterations <= kPatience;
-    result.factorizations += patient ? 1 : 2;
-    if (!patient && direction(shell, inertia, x, HessianKind::kExact)) --result.factorizations;
-    else if (!direction(shell, inertia, x, HessianKind::kGaussNewton)) {
+    if (!computeStep(shell, inertia, x, result)) {
       result.failure = "the system matrix could not be factorized";
       return result;
     }
-    result.last_step = std::sqrt(step_.colwise().squaredNorm().maxCoeff(&result.vertex));
-    const double fraction = search(shell, inertia, x);
-    if (fraction > 0) x.swap(trial_);
-    if (result.last_step <= tolerance) {
+    if (!uphill) {
+      base_ = {x, step_, angles_, objective(shell, inertia, x),
+               gradient_.cwiseProduct(step_).sum()};
+    }
+    const bool close = result.last_step <= tolerance;
+    trial_ = x + step_;
+    const double value = objective(shell, inertia, trial_);
+    const bool fell = value <= enough(base_.value, base_.slope);
+    if (!fell && !uphill && !close && std::isfinite(value)) {
+      uphill = true;
+      x.swap(trial_);
+      continue;
+    }
+    const bool found = fell || backtrack(shell, inertia);
+    x = found ? trial_ : base_.x;
+    if (close && (fell || !uphill)) {
       result.converged = true;
       return result;
     }
-    if (fraction == 0) {
+    if (!found) {
       result.failure = "the line search found no lower energy";
       return result;
     }
+    uphill = false;
   }
   result.failure = "Newton's method did not converge in " + std::to_string(max_iterations) +
                    " iterations";

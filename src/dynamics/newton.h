@@ -27,7 +27,10 @@ struct NewtonResult {
   int vertex = -1;  ///< that the last step moved most
 };
 
-/// Newton's method with a line search on the free vertices.
+/// Newton's method on the free vertices, with a line search that forgives one step uphill: a turn of
+/// thin paper, taken along its tangent, stretches it, and the next step takes that back. Where the
+/// second step does not end lower, the search goes back and shortens the first (a watchdog,
+/// Chamberlain et al. 1982).
 class Newton {
  public:
   /// Tells it that topology or pins changed. `free[v]` is false for held vertices.
@@ -44,13 +47,24 @@ class Newton {
   double objective(const Shell& shell, const Inertia& inertia, const Positions& x) const;
   bool direction(const Shell& shell, const Inertia& inertia, const Positions& x,
                  HessianKind kind);
-  double search(const Shell& shell, const Inertia& inertia, const Positions& x);
+  bool computeStep(const Shell& shell, const Inertia& inertia, const Positions& x,
+                   NewtonResult& result);
+  bool backtrack(const Shell& shell, const Inertia& inertia);
+
+  /// Where a search begins.
+  struct Base {
+    Positions x, step;
+    std::vector<double> angles;
+    double value = 0;  ///< of the objective [J]
+    double slope = 0;  ///< its first-order change along the step [J]
+  };
 
   std::vector<int> unknown_;  ///< block row of each vertex, -1 where held
   int unknown_count_ = 0;
   SystemMatrix matrix_;
   Cholesky cholesky_;
   // Scratch, kept between iterations.
+  Base base_;
   std::vector<double> angles_;
   Positions gradient_, step_, trial_;
   Eigen::VectorXd right_hand_side_;

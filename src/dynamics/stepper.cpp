@@ -38,8 +38,8 @@ void Stepper::setTopology(std::vector<bool> free) {
 bool Stepper::stepInParts(Shell& shell, double air_damping, Drive& drive, double from, double to,
                           int depth, Motion& motion, StepReport& report) {
   drive.moveTo(to, shell, held_);
-  const Load load{shell, air_damping, free_, held_};
-  if (retry_->step(load, (to - from) * config_.time_step, motion, report)) return true;
+  const Loading loading{shell, air_damping, free_, held_};
+  if (retry_->step(loading, (to - from) * config_.time_step, motion, report)) return true;
   if (depth == kDeepest) return false;
   ++report.retries;
   const double middle = (from + to) / 2;
@@ -84,7 +84,6 @@ StepReport Stepper::relax(Shell& shell,
       length *= kShrink;
       continue;
     }
-    fprintf(stderr,"round %d length %g its %d retries %d residual %g fail %s\n", round, length, report.newton_iterations, report.retries, report.residual, report.failure.c_str());
     const double moved = std::sqrt((next - x).colwise().squaredNorm().maxCoeff());
     x = std::move(next);
     adapt(shell, x);

@@ -6,21 +6,21 @@ namespace shell_origami {
 
 // M (v' - v) / dt = -dW/dx - c M v',   x' = x + dt v'. Air damping is taken at the end of the step,
 // which costs nothing and bounds no step.
-bool SymplecticEuler::step(const Load& load, double dt, Motion& motion, StepReport& report) {
-  load.shell.foldAngles(motion.positions, angles_);
+bool SymplecticEuler::step(const Loading& loading, double dt, Motion& motion, StepReport& report) {
+  loading.shell.foldAngles(motion.positions, angles_);
   gradient_.setZero(3, motion.positions.cols());
-  load.shell.addGradient(motion.positions, angles_, gradient_);
+  loading.shell.addGradient(motion.positions, angles_, gradient_);
   Positions velocity = motion.velocities;
   for (int v = 0; v < static_cast<int>(velocity.cols()); ++v) {
-    if (load.free[v]) {
-      velocity.col(v) -= dt / load.shell.masses()[v] * gradient_.col(v);
-      velocity.col(v) /= 1 + load.air_damping * dt;
+    if (loading.free[v]) {
+      velocity.col(v) -= dt / loading.shell.masses()[v] * gradient_.col(v);
+      velocity.col(v) /= 1 + loading.air_damping * dt;
     } else {
-      velocity.col(v) = (load.held.col(v) - motion.positions.col(v)) / dt;
+      velocity.col(v) = (loading.held.col(v) - motion.positions.col(v)) / dt;
     }
   }
   Positions x = motion.positions + dt * velocity;
-  if (const auto fault = load.shell.findFault(x, angles_)) {
+  if (const auto fault = loading.shell.findFault(x, angles_)) {
     report.failure = std::string(fault->what) + ": the explicit step is too long";
     report.vertex = fault->vertex;
     return false;

@@ -10,7 +10,7 @@ namespace shell_origami {
 /// Origami, figure 2).
 class SymplecticEuler : public Integrator {
  public:
-  bool step(const Load& load, double dt, Motion& motion, StepReport& report) override;
+  bool step(const Loading& loading, double dt, Motion& motion, StepReport& report) override;
 
  private:
   // Scratch, kept between steps.

@@ -33,7 +33,7 @@ struct Material {
 
 struct Seen {
   int folds = 0, along_border = 0, unconverged = 0, slivers = 0;
-  long points = 0, moved = 0;
+  long points = 0, moved = 0, steps = 0, iterations = 0, retries = 0;
   double farthest = 0;  ///< as a part of the sheet's max_edge
 };
 
@@ -93,6 +93,9 @@ void foldOneSheet(RandomSheets& random, int most, Seen& seen) {
     require(simulation.positions().allFinite(), "a position is not finite");
     require(smallestAreaRatio(sheet, simulation.positions()) > 0.05, "a triangle collapsed");
   }
+  seen.steps += static_cast<long>(simulation.counters().steps);
+  seen.iterations += static_cast<long>(simulation.counters().newton_iterations);
+  seen.retries += static_cast<long>(simulation.counters().retries);
 }
 
 }  // namespace
@@ -110,9 +113,11 @@ bool fuzzFolds(int folds, unsigned seed) {
     }
   }
   std::printf("%d folds, %d refused along the border; %ld of %ld points moved, by %.2g of max_edge "
-              "at most (bound %.2g); %d angles under 15 degrees; %d steps did not converge\n",
+              "at most (bound %.2g); %d angles under 15 degrees; %ld steps, %.1f Newton iterations "
+              "each, %ld cut in two, %d did not converge\n",
               seen.folds, seen.along_border, seen.moved, seen.points, seen.farthest, kMostMoved,
-              seen.slivers, seen.unconverged);
+              seen.slivers, seen.steps,
+              static_cast<double>(seen.iterations) / seen.steps, seen.retries, seen.unconverged);
   return kept && seen.slivers == 0;
 }
 
