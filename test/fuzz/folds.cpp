@@ -2,8 +2,7 @@
 #include "fuzz.h"
 #include "origami/simulation.h"
 #include "sheet/triangulate.h"
-
-#include <Eigen/Geometry>
+#include "whole.h"
 
 #include <cmath>
 #include <cstdio>
@@ -39,18 +38,6 @@ struct Seen {
 
 void require(bool kept, const char* promise) {
   if (!kept) throw std::logic_error(promise);
-}
-
-/// Smallest area of a triangle in space, as a part of its flat area.
-double smallestAreaRatio(const Sheet& sheet, const Positions& x) {
-  double smallest = 1;
-  for (const Triangle& t : sheet.triangles()) {
-    const Vector3 a = x.col(t[0]), b = x.col(t[1]), c = x.col(t[2]);
-    const auto& p = sheet.flatPositions();
-    smallest = std::min(smallest, (b - a).cross(c - a).norm() /
-                                      doubleArea(p[t[0]], p[t[1]], p[t[2]]));
-  }
-  return smallest;
 }
 
 void compare(const Material& before, const Material& after, double max_edge, Seen& seen) {
@@ -90,8 +77,7 @@ void foldOneSheet(RandomSheets& random, int most, Seen& seen) {
     seen.slivers += unforcedSlivers(sheet, max_edge);
     compare(before, {sheet, simulation.positions()}, max_edge, seen);
     for (int k = 2 + random.below(8); k > 0; --k) seen.unconverged += !simulation.step().converged;
-    require(simulation.positions().allFinite(), "a position is not finite");
-    require(smallestAreaRatio(sheet, simulation.positions()) > 0.05, "a triangle collapsed");
+    checkWhole(simulation);
   }
   seen.steps += static_cast<long>(simulation.counters().steps);
   seen.iterations += static_cast<long>(simulation.counters().newton_iterations);

@@ -1,0 +1,109 @@
+#include "../sheet/random_sheets.h"
+#include "fuzz.h"
+#include "origami/recipe.h"
+#include "whole.h"
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace shell_origami {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+
+/// A number whose logarithm is uniform.
+double logBetween(RandomSheets& random, double low, double high) {
+  return std::exp(random.between(std::log(low), std::log(high)));
+}
+
+SimulationConfig randomConfig(RandomSheets& random) {
+  SimulationConfig config;
+  Material& material = config.material;
+  material.youngs_modulus = logBetween(random, 6e7, 6e10);
+  material.thickness = logBetween(random, 1e-5, 1e-3);
+  material.density = logBetween(random, 80, 8000);
+  material.crease_stiffness = logBetween(random, 1e-4, 1e-1);
+  material.air_damping = random.between(0, 10);
+  if (random.below(4) == 0) material.membrane = MembraneKind::kDiscreteShells;
+  if (random.below(4) == 0) material.yield_curvature = random.between(20, 200);
+  if (random.below(4) == 0) config.rest.curvature = random.between(-50, 50);
+  if (random.below(4) == 0) config.solver.integrator = IntegratorKind::kBackwardEuler;
+  if (random.below(2) == 0) {
+    for (int i = 0; i < 3; ++i) config.gravity[i] = random.between(-9.81, 9.81);
+  }
+  return config;
+}
+
+FoldStep randomFolds(RandomSheets& random, const SheetSource& sheet) {
+  FoldStep step;
+  step.duration = std::max(0.0, random.between(-0.3, 1));  // in a quarter of the folds 0
+  for (int i = 1 + random.below(2); i > 0; --i) {
+    FoldRequest fold;
+    const auto point = [&] {
+      return Vector2(random.between(0, sheet.width), random.between(0, sheet.height));
+    };
+    fold.where = Line{point(), point()};
+    fold.angle = random.between(-175, 175) * kDegree;
+    step.folds.push_back(fold);
+  }
+  return step;
+}
+
+Recipe randomRecipe(RandomSheets& random) {
+  Recipe recipe;
+  recipe.config = randomConfig(random);
+  SheetSource& sheet = recipe.sheet;
+  sheet.width = random.between(0.05, 0.2);
+  sheet.height = random.between(0.05, 0.2);
+  sheet.max_edge = random.between(0.015, 0.03);
+  for (int i = 1 + random.below(4); i > 0; --i) {
+    if (random.below(3) == 0) {
+      recipe.steps.push_back(PinStep{std::vector<Vector2>{
+          {random.between(0, sheet.width), random.between(0, sheet.height)}}});
+    }
+    recipe.steps.push_back(randomFolds(random, sheet));
+    recipe.steps.push_back(SettleStep{random.between(0, 0.3)});
+    if (random.below(4) == 0) recipe.steps.push_back(UnpinStep{});
+  }
+  return recipe;
+}
+
+/// Folds the recipe to its end. Returns the sentence of a step that did not hold; empty: all did.
+std::string fold(const Recipe& recipe) {
+  RecipeRunner runner(recipe);
+  Simulation simulation = makeSimulation(recipe.sheet, recipe.config);
+  while (runner.update(simulation)) {
+    const StepReport report = simulation.step();
+    checkWhole(simulation);
+    if (!report.converged) return report.failure;
+  }
+  simulation.sheet().validate();
+  return "";
+}
+
+}  // namespace
+
+bool fuzzRecipes(int recipes, unsigned seed) {
+  RandomSheets random(seed);
+  int done = 0, paused = 0;
+  for (int i = 0; i < recipes; ++i) {
+    const Recipe recipe = randomRecipe(random);
+    try {
+      const std::string pause = fold(recipe);
+      if (pause.empty()) {
+        ++done;
+      } else {
+        ++paused;
+        std::printf("recipe %d pauses: %s\n", i, pause.c_str());
+      }
+    } catch (const std::exception& broken) {
+      std::printf("recipe %d is broken: %s\n", i, broken.what());
+      return false;
+    }
+  }
+  std::printf("%d recipes to their end, %d paused and said why\n", done, paused);
+  return true;
+}
+
+}  // namespace shell_origami

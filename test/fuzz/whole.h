@@ -1,0 +1,12 @@
+/// \file
+/// What paper is at any time: finite, no triangle collapsed, no hinge past 180 degrees.
+#pragma once
+
+#include "origami/simulation.h"
+
+namespace shell_origami {
+
+/// \throws std::logic_error naming what the paper has lost.
+void checkWhole(const Simulation& simulation);
+
+}  // namespace shell_origami
