@@ -47,32 +47,43 @@ void foldThrough(Simulation& simulation, const std::vector<std::pair<std::string
 
 const std::vector<double> kTenStates{15, 30, 45, 60, 75, 90, 105, 120, 135, 150};
 
+/// Closed form 8 of parallelograms with equal sides and an acute angle q of 60 degrees; the zigzags
+/// are the family at 2g. Of an even number of panels each is l long along the rows and s wide across
+/// them. `count`: panels along each side of the sheet; `side`: of a panel [m]; `angle`: 2g [rad].
+void expectMiura(const Simulation& simulation, int count, double side, double angle) {
+  constexpr double q = 60 * kDegree;
+  const double g = angle / 2;
+  for (const CreaseStatus& crease : simulation.creases()) {
+    const bool zigzag = crease.name.rfind("zigzag", 0) == 0;
+    const double expected = zigzag ? angle : 2 * std::atan(std::cos(q) * std::tan(g));
+    EXPECT_NEAR(std::abs(crease.angle) / expected, 1, 0.01) << crease.name;
+  }
+  const auto distance = [&](const Vector2& a, const Vector2& b) {
+    return (simulation.positions().col(simulation.sheet().nearestVertex(a)) -
+            simulation.positions().col(simulation.sheet().nearestVertex(b)))
+        .norm();
+  };
+  const double l = side * std::sqrt(1 - std::pow(std::sin(g) * std::sin(q), 2));
+  const double s = side * std::cos(g) * std::tan(q) /
+                   std::sqrt(1 + std::pow(std::cos(g) * std::tan(q), 2));
+  const int even = count / 2 * 2;
+  const Vector2 along(even * side, 0), across(0, even * side * std::sin(q));
+  EXPECT_NEAR(distance({0, 0}, along) / (even * l), 1, 0.01);
+  EXPECT_NEAR(distance({0, 0}, across) / (even * s), 1, 0.01);
+  EXPECT_LT(simulation.maxStrain(), 0.002);
+}
+
 TEST(Miura, FoldAnglesLengthAndWidthAtTenStates) {
-  // Closed form 8 with a = b = 25 mm, q = 60 degrees, 6 x 6 panels. The zigzags are the family at
-  // 2g. A panel is l long along the rows and s wide across them.
-  constexpr double kPanel = 0.025, q = 60 * kDegree;
   Simulation simulation = fromRecipe("miura");
   foldThrough(simulation, {{"zigzag_valley", 1}, {"zigzag_mountain", -1}}, kTenStates,
-              [&](double angle) {
-    const double g = angle / 2;
-    for (const CreaseStatus& crease : simulation.creases()) {
-      const bool zigzag = crease.name.rfind("zigzag", 0) == 0;
-      const double expected = zigzag ? angle : 2 * std::atan(std::cos(q) * std::tan(g));
-      EXPECT_NEAR(std::abs(crease.angle) / expected, 1, 0.01) << crease.name;
-    }
-    const auto distance = [&](const Vector2& a, const Vector2& b) {
-      return (simulation.positions().col(simulation.sheet().nearestVertex(a)) -
-              simulation.positions().col(simulation.sheet().nearestVertex(b)))
-          .norm();
-    };
-    const double l = kPanel * std::sqrt(1 - std::pow(std::sin(g) * std::sin(q), 2));
-    const double s = kPanel * std::cos(g) * std::tan(q) /
-                     std::sqrt(1 + std::pow(std::cos(g) * std::tan(q), 2));
-    const Vector2 along(6 * kPanel, 0), across(0, 6 * kPanel * std::sin(q));
-    EXPECT_NEAR(distance({0, 0}, along) / (6 * l), 1, 0.01);
-    EXPECT_NEAR(distance({0, 0}, across) / (6 * s), 1, 0.01);
-    EXPECT_LT(simulation.maxStrain(), 0.002);
-  });
+              [&](double angle) { expectMiura(simulation, 6, 0.025, angle); });
+}
+
+TEST(Miura, AThousandCreasesFoldAsSixtyDo) {
+  Simulation simulation = fromRecipe("miura_1000");
+  EXPECT_EQ(simulation.creases().size(), 1012u);
+  foldThrough(simulation, {{"zigzag_valley", 1}, {"zigzag_mountain", -1}}, {40, 80, 120, 150},
+              [&](double angle) { expectMiura(simulation, 23, 0.013, angle); });
 }
 
 TEST(Waterbomb, MountainFollowsTheValleys) {

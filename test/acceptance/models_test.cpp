@@ -92,8 +92,9 @@ INSTANTIATE_TEST_SUITE_P(
     Models, ModelTest,
     testing::Values(Model{"dog", {"tail_left", "tail_right"}}, Model{"elephant", {}},
                     Model{"apple", {"stem_mountain", "stem_valley"}}, Model{"curl", {}},
-                    Model{"miura", {}}, Model{"waterbomb", {}}, Model{"preliminary", {}},
-                    Model{"house", {}}, Model{"curved_crease", {"inner", "outer"}}),
+                    Model{"miura", {}}, Model{"miura_1000", {}}, Model{"waterbomb", {}},
+                    Model{"preliminary", {}}, Model{"house", {}},
+                    Model{"curved_crease", {"inner", "outer"}}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
