@@ -51,10 +51,12 @@ json foldedForm(const Positions& positions) {
     coordinates.push_back(
         {orNull(positions(0, v)), orNull(positions(1, v)), orNull(positions(2, v))});
   }
+  // The format calls what lies in the xy plane 2D, whether or not it says z = 0.
+  const bool in_plane = (positions.row(2).array() == 0).all();
   return {{"frame_parent", 0},
           {"frame_inherit", true},
           {"frame_classes", {"foldedForm"}},
-          {"frame_attributes", {"3D"}},
+          {"frame_attributes", {in_plane ? "2D" : "3D", "manifold", "orientable"}},
           {"frame_unit", "m"},
           {"vertices_coords", std::move(coordinates)}};
 }

@@ -115,6 +115,7 @@ class Frames {
   }
   void write(const Simulation& simulation, const std::string& title, const std::string& path) {
     nlohmann::json document = foldDocument(simulation, title);
+    document["file_classes"] = {"singleModel", "animation"};
     document["file_frames"] = frames_;
     writeFile(path, foldText(document));
   }

@@ -324,7 +324,7 @@ TEST(WriteFold, followsTheSpecification) {
   EXPECT_EQ(frame["frame_inherit"], true);
   EXPECT_EQ(frame["frame_parent"], 0);
   EXPECT_EQ(frame["frame_classes"], json::array({"foldedForm"}));
-  EXPECT_EQ(frame["frame_attributes"], json::array({"3D"}));
+  EXPECT_EQ(frame["frame_attributes"], json::array({"3D", "manifold", "orientable"}));
   EXPECT_EQ(frame["vertices_coords"][1].size(), 3u);
 }
 
