@@ -39,7 +39,9 @@ class ReplayTest(NodeTest):
         live = Recorder('/origami/markers', MarkerArray)
         self.origami.do('resume')
         self.origami.do('fold', line=line(0.05, 0, 0.05, 0.15), angle=1.0, duration=0.5)
-        recording = subprocess.Popen(['rosbag', 'record', '-O', self.bag] + TOPICS)
+        # Not by the command rosbag: on Debian 11 it does not pass the signal to stop on.
+        program = roslib.packages.find_node('rosbag', 'record')[0]
+        recording = subprocess.Popen([program, '-O', self.bag] + TOPICS)
         rospy.sleep(2)
         self.origami.do('fold', line=line(0.10, 0, 0.10, 0.15), angle=-1.0, duration=0.5)
         self.origami.do('pin', vertices=[0])
