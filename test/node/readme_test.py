@@ -11,7 +11,8 @@ import rostest
 from origami_client import NodeTest
 
 README = os.path.join(os.path.dirname(os.path.realpath(__file__)), '..', '..', 'README.md')
-SERVICES = {'fold', 'pin', 'unpin', 'add_vertex', 'load', 'save', 'step', 'pause', 'resume', 'reset'}
+SERVICES = {'fold', 'pin', 'unpin', 'add_vertex', 'load', 'save', 'step', 'pause', 'resume', 'reset',
+            'settle'}
 
 
 class ReadmeTest(NodeTest):
