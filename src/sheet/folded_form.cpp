@@ -85,9 +85,9 @@ Positions carryOver(const Sheet& from, const Positions& positions, const Sheet& 
   for (int v = 0, near = 0; v < to.vertexCount(); ++v) {
     const Vector2& p = to.flatPositions()[v];
     // On a slit its own triangles tell on which side a vertex is.
-    const auto place = target.onBorder(v)
-                           ? source.locateAhead(p, target.centroid(target.around(v)[0]) - p, tolerance)
-                           : source.locateNear(p, tolerance, near);
+    const Vector2 inside = target.centroid(target.around(v)[0]) - p;
+    const auto place = target.onBorder(v) ? source.locateAhead(p, inside, tolerance)
+                                          : source.locateNear(p, tolerance, near);
     const Triangle& corners = from.triangles()[place.value().triangle];
     carried.col(v).setZero();
     for (int k = 0; k < 3; ++k) carried.col(v) += place->weights[k] * positions.col(corners[k]);

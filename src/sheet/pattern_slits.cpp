@@ -19,7 +19,8 @@ double coincidence(const std::vector<Vector2>& points) {
 std::vector<int> borderVertices(const CreasePattern& pattern) {
   std::vector<int> vertices;
   for (const PatternEdge& edge : pattern.edges) {
-    if (edge.isBorder()) vertices.insert(vertices.end(), edge.vertices.begin(), edge.vertices.end());
+    if (!edge.isBorder()) continue;
+    vertices.insert(vertices.end(), edge.vertices.begin(), edge.vertices.end());
   }
   const auto left = [&pattern](int v, int w) {
     return std::make_pair(pattern.points[v].x(), v) < std::make_pair(pattern.points[w].x(), w);
@@ -105,21 +106,18 @@ void mergeEdges(CreasePattern& pattern) {
   std::vector<PatternEdge> edges;
   edges.swap(pattern.edges);
   EdgeCollector collector(pattern);
-  for (const PatternEdge& edge : edges) {
+  for (PatternEdge edge : edges) {
     if (!edge.isBorder()) {
       collector.add(edge);
       continue;
     }
     const std::vector<int> chain = chainAlong(edge, border, pattern.points, tolerance);
     for (std::size_t k = 1; k < chain.size(); ++k) {
-      PatternEdge piece = edge;
-      piece.vertices = {chain[k - 1], chain[k]};
+      edge.vertices = {chain[k - 1], chain[k]};
       const auto other = collector.find(chain[k - 1], chain[k]);
-      if (other && pattern.edges[*other].isBorder()) {
-        pattern.edges[*other].kind = 'C';
-      } else {
-        collector.add(piece);
-      }
+      const bool lies_on_border = other && pattern.edges[*other].isBorder();
+      if (lies_on_border) pattern.edges[*other].kind = 'C';
+      if (!lies_on_border) collector.add(edge);
     }
   }
 }

@@ -25,7 +25,8 @@ class Lattice {
  public:
   /// Assigns the edges from one lattice point straight on to another.
   Lattice& line(std::array<int, 2> from, std::array<int, 2> to, char kind) {
-    const int dx = (to[0] > from[0]) - (to[0] < from[0]), dy = (to[1] > from[1]) - (to[1] < from[1]);
+    const int dx = (to[0] > from[0]) - (to[0] < from[0]);
+    const int dy = (to[1] > from[1]) - (to[1] < from[1]);
     for (; from != to; from = {from[0] + dx, from[1] + dy}) {
       const int a = at(from[0], from[1]), b = at(from[0] + dx, from[1] + dy);
       kinds_[std::minmax(a, b)] = kind;
@@ -100,7 +101,8 @@ TEST(Slits, openInEveryFileAtEveryFineness) {
       {"a cross", crossOfSlits(), 4, 4, 0, 0},
       {"a cross that touches the border", borderSlit().line({2, 1}, {2, 3}, 'C'), 4, 7, 0, 0},
       {"with a bend", insideSlit().line({3, 2}, {3, 3}, 'C'), 3, 4, 0, 0},
-      {"two on one line", Lattice().line({0, 1}, {1, 1}, 'C').line({3, 1}, {4, 1}, 'C'), 2, 4, 0, 0},
+      {"two on one line",
+       Lattice().line({0, 1}, {1, 1}, 'C').line({3, 1}, {4, 1}, 'C'), 2, 4, 0, 0},
       {"that ends on a crease", borderSlit().line({2, 0}, {2, 4}, 'V'), 2, 4, 1, 4},
       {"that a crease crosses", insideSlit().line({2, 0}, {2, 4}, 'M'), 2, 2, 2, 4},
       {"that a crease lengthens", insideSlit().line({0, 2}, {1, 2}, 'V').line({3, 2}, {4, 2}, 'V'),
@@ -151,6 +153,28 @@ TEST(Slits, cutsThatPartThePaperAreRefused) {
                    "part the paper into 2 pieces");
     }
   }
+}
+
+TEST(Slits, openAsBorderEdgesWithoutFaces) {
+  // Both sides of the slit from (1, 2) to (3, 2), each with a middle of its own.
+  json document = Lattice().document(Faces::kNone);
+  for (const double x : {1.0, 3.0, 2.0, 2.5}) document["vertices_coords"].push_back({x, 2});
+  for (const auto& [a, b] : {std::pair<int, int>{25, 27}, {27, 26}, {25, 28}, {28, 26}}) {
+    document["edges_vertices"].push_back({a, b});
+    document["edges_assignment"].push_back("B");
+  }
+  for (const double max_edge : {0.0, 0.5}) {
+    const Sheet sheet = read(document, 1, max_edge).sheet;
+    EXPECT_NEAR(sheet.area(), 16, 1e-12);
+    EXPECT_NEAR(borderLength(sheet), 20, 1e-12);
+  }
+}
+
+TEST(Slits, aNotedCreaseAcrossACutIsRefused) {
+  json document = insideSlit().line({2, 0}, {2, 4}, 'M').document(Faces::kTriangles);
+  document["shell_origami:creases"] = json::array(
+      {{{"id", 0}, {"name", "spine"}, {"vertices", {2, 7, 12, 17, 22}}, {"rest_angle_deg", 0}}});
+  expectWithin(refusal(document), "crease spine runs across a cut at vertex 12");
 }
 
 Positions flat(const Sheet& sheet) {
