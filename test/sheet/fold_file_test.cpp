@@ -234,6 +234,7 @@ TEST(ReadFold, thePatternMayBeALaterFrame) {
   // The flap of corner 1 stands upright over the diagonal: a valley of 90 degrees, measured.
   ASSERT_EQ(paper.rest_angles.size(), 1u);
   EXPECT_NEAR(paper.rest_angles[0], M_PI / 2, 1e-9);
+  EXPECT_NEAR(read(document, 1, 0.3).rest_angles.at(0), M_PI / 2, 1e-9);
 }
 
 TEST(ReadFold, aFlatFoldedFormIsNoPlaceToStartFrom) {
