@@ -16,8 +16,8 @@ namespace {
 constexpr double kMostStretch = 1.25;
 /// Paper folded beyond this lies on itself: the solver cannot start from there [rad].
 constexpr double kFoldedFlat = 179.9 / 180 * M_PI;
-/// How far off the paper of another sheet a vertex may lie, as a part of the sheet's size.
-constexpr double kOffPaper = 1e-6;
+/// How far off another sheet of the same paper a vertex may lie by rounding, as a part of its size.
+constexpr double kRounding = 1e-9;
 
 /// Fold angle of an inner edge in space [rad], valley > 0.
 double angleInSpace(const Sheet& sheet, const Positions& positions, const Edge& edge) {
@@ -80,14 +80,14 @@ bool isFoldedFlat(const Sheet& sheet, const Positions& positions) {
 /// other's triangles.
 Positions carryOver(const Sheet& from, const Positions& positions, const Sheet& to) {
   const Triangulation &source = from.triangulation(), &target = to.triangulation();
-  const double tolerance = kOffPaper * from.size();
+  const double tolerance = kRounding * from.size();
   Positions carried(3, to.vertexCount());
   for (int v = 0, near = 0; v < to.vertexCount(); ++v) {
     const Vector2& p = to.flatPositions()[v];
     // On a slit its own triangles tell on which side a vertex is.
     const Vector2 inside = target.centroid(target.around(v)[0]) - p;
-    const auto place = target.onBorder(v) ? source.locateAhead(p, inside, tolerance)
-                                          : source.locateNear(p, tolerance, near);
+    auto place = target.onBorder(v) ? source.locateAhead(p, inside, tolerance) : std::nullopt;
+    if (!place) place = source.locateNear(p, tolerance, near);
     const Triangle& corners = from.triangles()[place.value().triangle];
     carried.col(v).setZero();
     for (int k = 0; k < 3; ++k) carried.col(v) += place->weights[k] * positions.col(corners[k]);

@@ -1,5 +1,5 @@
-/// Slits: out of FOLD files and into them, and folds made across them.
-#include "fold_samples.h"
+/// Slits, out of FOLD files and into them.
+#include "lattice.h"
 #include "random_sheets.h"
 #include "sheet/fold_line.h"
 
@@ -13,70 +13,6 @@
 
 namespace shell_origami {
 namespace {
-
-constexpr int kCells = 4;
-
-int at(int x, int y) { return x + (kCells + 1) * y; }
-
-enum class Faces { kNone, kQuads, kTriangles };
-
-/// A square of 4 x 4 unit cells: lines of its lattice are cut, folded or flat.
-class Lattice {
- public:
-  /// Assigns the edges from one lattice point straight on to another.
-  Lattice& line(std::array<int, 2> from, std::array<int, 2> to, char kind) {
-    const int dx = (to[0] > from[0]) - (to[0] < from[0]);
-    const int dy = (to[1] > from[1]) - (to[1] < from[1]);
-    for (; from != to; from = {from[0] + dx, from[1] + dy}) {
-      const int a = at(from[0], from[1]), b = at(from[0] + dx, from[1] + dy);
-      kinds_[std::minmax(a, b)] = kind;
-    }
-    return *this;
-  }
-
-  json document(Faces faces) const {
-    json result{{"vertices_coords", json::array()}, {"edges_vertices", json::array()},
-                {"edges_assignment", json::array()}};
-    for (int y = 0; y <= kCells; ++y) {
-      for (int x = 0; x <= kCells; ++x) result["vertices_coords"].push_back({x, y});
-    }
-    Lattice whole = *this;
-    whole.line({0, 0}, {kCells, 0}, 'B').line({kCells, 0}, {kCells, kCells}, 'B');
-    whole.line({0, kCells}, {kCells, kCells}, 'B').line({0, 0}, {0, kCells}, 'B');
-    for (const auto& [ends, kind] : whole.kinds_) {
-      result["edges_vertices"].push_back({ends.first, ends.second});
-      result["edges_assignment"].push_back(std::string(1, kind));
-    }
-    for (int y = 0; y < kCells && faces != Faces::kNone; ++y) {
-      for (int x = 0; x < kCells; ++x) {
-        const int a = at(x, y), b = at(x + 1, y), c = at(x + 1, y + 1), d = at(x, y + 1);
-        if (faces == Faces::kQuads) result["faces_vertices"].push_back({a, b, c, d});
-        if (faces == Faces::kQuads) continue;
-        result["faces_vertices"].push_back({a, b, c});
-        result["faces_vertices"].push_back({a, c, d});
-      }
-    }
-    return result;
-  }
-
- private:
-  std::map<std::pair<int, int>, char> kinds_;
-};
-
-Lattice insideSlit() { return Lattice().line({1, 2}, {3, 2}, 'C'); }
-Lattice borderSlit() { return Lattice().line({0, 2}, {2, 2}, 'C'); }
-Lattice crossOfSlits() { return insideSlit().line({2, 1}, {2, 3}, 'C'); }
-
-double length(const Sheet& sheet, const Edge& edge) {
-  const auto [a, b] = edge.vertices;
-  return (sheet.flatPositions()[a] - sheet.flatPositions()[b]).norm();
-}
-
-double creaseLength(const Sheet& sheet) {
-  double sum = 0;
-  for (const Edge& edge : sheet.edges()) sum += edge.crease < 0 ? 0 : length(sheet, edge);
-  return sum;
-}
 
 /// Vertices that stand where another one does.
 int doubled(const Sheet& sheet) {
@@ -228,120 +164,6 @@ TEST(Slits, afterFoldsAreWrittenAndReadBackToTheSameSheet) {
     EXPECT_NEAR(finer.area() / area, 1, 1e-9);
     EXPECT_NEAR(borderLength(finer) / border, 1, 1e-9);
     EXPECT_NEAR(creaseLength(finer), creaseLength(sheet), 1e-9);
-  }
-}
-
-/// The square with one slit from (1, 2) to (3, 2), in triangles of 0.3.
-Sheet slitSquare() { return read(insideSlit().document(Faces::kNone), 1, 0.3).sheet; }
-
-FoldLine fold(Sheet& sheet, double x0, double y0, double x1, double y1) {
-  const double border = borderLength(sheet);
-  const FoldLine made = makeFoldLine(sheet, {Vector2(x0, y0), Vector2(x1, y1)}, "line");
-  sheet.validate();
-  EXPECT_NEAR(sheet.area(), 16, 1e-12);
-  EXPECT_NEAR(borderLength(sheet), border, 1e-12);
-  EXPECT_EQ(unforcedSlivers(sheet, 0.3), 0);
-  return made;
-}
-
-TEST(Slits, acrossASlitBothPartsFoldUnderOneName) {
-  Sheet sheet = slitSquare();
-  const FoldLine made = fold(sheet, 1.7, 0, 2.3, 4);
-  EXPECT_EQ(made.parts, 2);
-  ASSERT_EQ(sheet.creases().size(), 2u);
-  EXPECT_EQ(made.crease_ids.size(), 2u);
-  for (const Crease& crease : sheet.creases()) EXPECT_EQ(crease.name, "line");
-  EXPECT_NEAR(creaseLength(sheet), std::hypot(0.6, 4), 1e-12);
-  const Vector2 &below = sheet.flatPositions()[sheet.creases()[0].vertices.back()],
-                &above = sheet.flatPositions()[sheet.creases()[1].vertices.front()];
-  EXPECT_LT((below - above).norm(), 1e-12);
-  EXPECT_LT((below - Vector2(2, 2)).norm(), 1e-12);
-}
-
-TEST(Slits, aLineMayEndOnASlit) {
-  for (const double from : {0.0, 4.0}) {
-    Sheet sheet = slitSquare();
-    const FoldLine made = fold(sheet, 1.6, from, 2.21, 2);
-    EXPECT_EQ(made.parts, 1);
-    EXPECT_NEAR(creaseLength(sheet), std::hypot(0.61, 2), 1e-12);
-    Sheet back = slitSquare();
-    EXPECT_EQ(fold(back, 2.21, 2, 1.6, from).parts, 1);
-    EXPECT_NEAR(creaseLength(back), std::hypot(0.61, 2), 1e-12);
-  }
-}
-
-TEST(Slits, whatRunsAlongASlitDoesNotFold) {
-  Sheet sheet = slitSquare();
-  const FoldLine whole = fold(sheet, 0, 2, 4, 2);
-  EXPECT_EQ(whole.parts, 2);
-  EXPECT_NEAR(creaseLength(sheet), 2, 1e-12);
-  // From, to or beyond the middle of the slit.
-  for (const auto& [x0, x1, length] : {std::array<double, 3>{0, 2.05, 1}, {2.05, 0, 1},
-                                       {2.05, 4, 1}, {4, 1.95, 1}, {1, 4, 1}, {0, 3, 1}}) {
-    Sheet part = slitSquare();
-    EXPECT_EQ(fold(part, x0, 2, x1, 2).parts, 1);
-    EXPECT_NEAR(creaseLength(part), length, 1e-12);
-  }
-  // Whichever side of the slit the line's end comes to lie on.
-  RandomSheets random(7);
-  for (int i = 0; i < 20; ++i) {
-    const double x = random.between(1.1, 2.9);
-    for (const double from : {0.0, 4.0}) {
-      Sheet level = slitSquare(), upright =
-          read(Lattice().line({2, 1}, {2, 3}, 'C').document(Faces::kNone), 1, 0.3).sheet;
-      fold(level, from, 2, x, 2);
-      fold(upright, 2, from, 2, x);
-      EXPECT_NEAR(creaseLength(level), 1, 1e-12);
-      EXPECT_NEAR(creaseLength(upright), 1, 1e-12);
-    }
-  }
-  Sheet same = slitSquare();
-  const Sheet before = same;
-  EXPECT_THROW(makeFoldLine(same, {Vector2(1.2, 2), Vector2(2.7, 2)}), std::invalid_argument);
-  EXPECT_EQ(same.triangles(), before.triangles());
-}
-
-TEST(Slits, aLineThroughTheEndOfASlitIsWhole) {
-  for (const double x : {0.0, 1.0, 2.0}) {
-    Sheet sheet = slitSquare();
-    EXPECT_EQ(fold(sheet, x, 0, 2 - x, 4).parts, 1);
-    EXPECT_EQ(sheet.creases().size(), 1u);
-  }
-}
-
-TEST(Slits, aLineThroughACrossOfSlitsGoesOnBeyondIt) {
-  Sheet sheet = read(crossOfSlits().document(Faces::kNone), 1, 0.3).sheet;
-  EXPECT_EQ(fold(sheet, 0, 0, 4, 4).parts, 2);
-  EXPECT_NEAR(creaseLength(sheet), 4 * std::sqrt(2), 1e-12);
-  EXPECT_EQ(fold(sheet, 0, 2, 4, 2).parts, 2);
-  EXPECT_EQ(fold(sheet, 2, 4, 2, 0).parts, 2);
-  EXPECT_NEAR(creaseLength(sheet), 4 * std::sqrt(2) + 4, 1e-12);
-}
-
-TEST(Slits, newVerticesStandOnTheirSideOfAnOpenSlit) {
-  // The lip below the slit is bent down, the one above it up.
-  const auto place = [](const Vector2& p, double side) {
-    const double gape = std::max(0.0, 1 - std::abs(p.x() - 2));
-    return Vector3(p.x(), p.y(), side * 0.1 * gape * std::max(0.0, 1 - std::abs(p.y() - 2)));
-  };
-  const auto sideOf = [](const Sheet& sheet, int v) {
-    const int t = sheet.triangulation().around(v)[0];
-    return sheet.triangulation().centroid(t).y() > 2 ? 1.0 : -1.0;
-  };
-  RandomSheets random(5);
-  for (int i = 0; i < 50; ++i) {
-    Sheet sheet = slitSquare();
-    Positions space(3, sheet.vertexCount());
-    for (int v = 0; v < sheet.vertexCount(); ++v) {
-      space.col(v) = place(sheet.flatPositions()[v], sideOf(sheet, v));
-    }
-    const Line line{Vector2(random.between(1.2, 2.8), 0), Vector2(random.between(1.2, 2.8), 4)};
-    const Remap remap = makeFoldLine(sheet, line, "", {&space, {}}).remap;
-    const Positions after = remap.apply(space, sheet.vertexCount());
-    for (int v = 0; v < sheet.vertexCount(); ++v) {
-      const Vector3 expected = place(sheet.flatPositions()[v], sideOf(sheet, v));
-      EXPECT_LT((after.col(v) - expected).norm(), 0.01) << sheet.flatPositions()[v].transpose();
-    }
   }
 }
 

@@ -1,5 +1,6 @@
 /// Folded forms of FOLD files, over their own vertices and over a finer mesh.
 #include "fold_samples.h"
+#include "random_sheets.h"
 #include "sheet/fold_line.h"
 #include "sheet/triangulate.h"
 
@@ -94,6 +95,18 @@ TEST(FoldedForm, ofQuadrilateralsStandsAtEveryFineness) {
     for (std::size_t i = 0; i < 3; ++i) {
       EXPECT_NEAR(paper.rest_angles[i], i == 1 ? M_PI / 3 : -M_PI / 3, 1e-6);
     }
+    EXPECT_LT(largestStrain(paper), 1e-9);
+  }
+}
+
+TEST(FoldedForm, holdsTheMiddleThatASlitOfOneEdgeGets) {
+  json document = pleats();
+  document["edges_vertices"].push_back({4, 7});
+  document["edges_assignment"].push_back("C");
+  for (const double max_edge : {0.0, 0.01}) {
+    const FoldPaper paper = read(document, 0, max_edge);
+    EXPECT_NEAR(borderLength(paper.sheet), 2 * (0.16 + 0.06 + 0.04), 1e-12);
+    ASSERT_TRUE(paper.positions);
     EXPECT_LT(largestStrain(paper), 1e-9);
   }
 }
