@@ -2,13 +2,12 @@
 
 #include "sheet/refuse.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace shell_origami {
@@ -18,29 +17,6 @@ constexpr double kFree = std::numeric_limits<double>::quiet_NaN();
 
 using Ends = std::pair<int, int>;
 Ends sorted(int a, int b) { return std::minmax({a, b}); }
-
-/// The vertex that stands for each: the first of those that coincide.
-std::vector<int> mergeCoincident(const std::vector<Vector2>& points) {
-  Eigen::AlignedBox2d box;
-  for (const Vector2& p : points) box.extend(p);
-  const double tolerance = 1e-9 * box.sizes().maxCoeff();
-  std::vector<int> order(points.size()), stand_in(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::iota(stand_in.begin(), stand_in.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int i, int j) { return points[i].x() < points[j].x(); });
-  for (std::size_t n = 0; n < order.size(); ++n) {
-    const Vector2& p = points[order[n]];
-    for (std::size_t m = n + 1; m < order.size(); ++m) {
-      const Vector2& q = points[order[m]];
-      if (q.x() > p.x() + tolerance) break;
-      if ((q - p).norm() > tolerance) continue;
-      const int first = std::min(stand_in[order[n]], stand_in[order[m]]);
-      stand_in[order[n]] = stand_in[order[m]] = first;
-    }
-  }
-  return stand_in;
-}
 
 /// Kind and angle of an edge where the file leaves them open.
 PatternEdge makeEdge(std::array<int, 2> ends, std::size_t number, const std::string& kinds,
@@ -66,21 +42,13 @@ PatternEdge makeEdge(std::array<int, 2> ends, std::size_t number, const std::str
   return edge;
 }
 
+bool isFlat(const PatternEdge& edge) {
+  return !edge.isCrease() && !edge.isBorder() && !edge.isCut();
+}
+
 bool sameFold(const PatternEdge& a, const PatternEdge& b) {
   if (a.kind != b.kind) return false;
   return (std::isnan(a.angle) && std::isnan(b.angle)) || std::abs(a.angle - b.angle) < 1e-9;
-}
-
-void addEdge(CreasePattern& pattern, std::map<Ends, std::size_t>& known, const PatternEdge& edge) {
-  const auto [a, b] = edge.vertices;
-  if (a == b) refuse("edges_vertices[", edge.number, "] has no length");
-  const auto [at, is_new] = known.emplace(sorted(a, b), pattern.edges.size());
-  if (is_new) {
-    pattern.edges.push_back(edge);
-  } else if (!sameFold(pattern.edges[at->second], edge)) {
-    refuse("edges_vertices[", pattern.edges[at->second].number, "] and edges_vertices[",
-           edge.number, "] join the same vertices, but fold differently");
-  }
 }
 
 double polygonArea(const std::vector<Vector2>& points, const std::vector<int>& polygon) {
@@ -91,65 +59,108 @@ double polygonArea(const std::vector<Vector2>& points, const std::vector<int>& p
   return doubled / 2;
 }
 
-void readFaces(const FoldDocument& document, const std::vector<int>& stand_in,
-               CreasePattern& pattern) {
-  pattern.faces = document.faces(pattern.frame, static_cast<int>(pattern.points.size()));
-  for (std::size_t f = 0; f < pattern.faces.size(); ++f) {
-    std::vector<int>& face = pattern.faces[f];
+/// Whether the sides with one face are just those edges that the file says are border or cut. Then
+/// the faces part where they are meant to, and vertices that coincide there are two.
+bool facesPartAtBorder(const std::vector<std::array<int, 2>>& ends, const std::string& kinds,
+                       const std::vector<std::vector<int>>& faces) {
+  std::map<Ends, int> counts;
+  for (const auto& face : faces) {
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      ++counts[sorted(face[k], face[(k + 1) % face.size()])];
+    }
+  }
+  std::set<Ends> said;
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (kinds[i] != 'B' && kinds[i] != 'C') continue;
+    const auto side = counts.find(sorted(ends[i][0], ends[i][1]));
+    if (side == counts.end() || (kinds[i] == 'B' && side->second > 1)) return false;
+    if (side->second == 1) said.insert(side->first);
+  }
+  const auto single = std::count_if(counts.begin(), counts.end(),
+                                    [](const auto& side) { return side.second == 1; });
+  return single == static_cast<std::ptrdiff_t>(said.size());
+}
+
+void addFaces(std::vector<std::vector<int>> faces, const std::vector<int>& stand_in,
+              CreasePattern& pattern) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::vector<int>& face = faces[f];
     for (int& v : face) v = stand_in[v];
     const double area = polygonArea(pattern.points, face);
     if (area == 0) refuse("faces_vertices[", f, "] has no area");
     if (area < 0) std::reverse(face.begin() + 1, face.end());
   }
+  pattern.faces = std::move(faces);
 }
 
 /// How many faces lie on each edge; sides of faces that are no edges become edges.
-std::vector<int> countFaces(CreasePattern& pattern, std::map<Ends, std::size_t>& known) {
+std::vector<int> countFaces(CreasePattern& pattern, EdgeCollector& edges) {
   std::vector<int> counts(pattern.edges.size());
   for (const std::vector<int>& face : pattern.faces) {
     for (std::size_t k = 0; k < face.size(); ++k) {
       const int a = face[k], b = face[(k + 1) % face.size()];
       if (a == b) continue;
-      const auto [at, is_new] = known.emplace(sorted(a, b), pattern.edges.size());
-      if (is_new) {
-        pattern.edges.push_back({{a, b}, 'F', 0, -1});
-        counts.push_back(0);
-      }
-      if (++counts[at->second] > 2) {
-        refuse(pattern.edgeName(pattern.edges[at->second]), " has more than two faces");
-      }
+      const auto there = edges.find(a, b);
+      const std::size_t at = there ? *there : edges.add({{a, b}, 'F', 0, -1});
+      counts.resize(pattern.edges.size());
+      if (++counts[at] > 2) refuse(pattern.edgeName(pattern.edges[at]), " has more than two faces");
     }
   }
   return counts;
 }
 
-void findBorder(CreasePattern& pattern, std::map<Ends, std::size_t>& known) {
+void findBorder(CreasePattern& pattern, EdgeCollector& edges) {
   const bool has_faces = !pattern.faces.empty();
-  const std::vector<int> counts = countFaces(pattern, known);
+  const std::vector<int> counts = countFaces(pattern, edges);
+  bool has_outline = false;
   for (std::size_t i = 0; i < pattern.edges.size(); ++i) {
     PatternEdge& edge = pattern.edges[i];
-    const bool said = edge.kind == 'B' || edge.kind == 'C';
+    const bool said = edge.isBorder() || edge.isCut();
     if (has_faces && said && counts[i] == 0) refuse(pattern.edgeName(edge), " is on no face");
-    if (has_faces && said && counts[i] == 2) {
-      refuse(pattern.edgeName(edge), edge.kind == 'C' ? " is a cut" : " is border",
-             " (", edge.kind, ") with paper on both sides, and a slit cannot be loaded");
+    if (edge.isBorder() && counts[i] == 2) {
+      refuse(pattern.edgeName(edge), " is border (B) with paper on both sides");
     }
-    if (said || counts[i] == 1) {
+    if (counts[i] == 1) {
       edge.kind = 'B';
       edge.angle = 0;
     }
+    has_outline |= said || edge.isBorder();
   }
-  if (std::none_of(pattern.edges.begin(), pattern.edges.end(),
-                   [](const PatternEdge& edge) { return edge.isBorder(); })) {
-    refuse("has no outline: no border edges (B) and no faces");
-  }
+  if (!has_outline) refuse("has no outline: no border edges (B) and no faces");
 }
 
 }  // namespace
 
+std::size_t EdgeCollector::add(const PatternEdge& edge) {
+  const auto [a, b] = edge.vertices;
+  if (a == b) refuse("edges_vertices[", edge.number, "] has no length");
+  auto& edges = pattern_.edges;
+  const auto [at, is_new] = places_.emplace(sorted(a, b), edges.size());
+  if (is_new) {
+    edges.push_back(edge);
+  } else if (!sameFold(edges[at->second], edge)) {
+    refuse("edges_vertices[", edges[at->second].number, "] and edges_vertices[", edge.number,
+           "] join the same vertices, but fold differently");
+  }
+  return at->second;
+}
+
+std::optional<std::size_t> EdgeCollector::find(int a, int b) const {
+  const auto at = places_.find(sorted(a, b));
+  return at == places_.end() ? std::nullopt : std::optional<std::size_t>(at->second);
+}
+
 bool CreasePattern::hasOnlyTriangles() const {
   return !faces.empty() && std::all_of(faces.begin(), faces.end(),
                                        [](const auto& face) { return face.size() == 3; });
+}
+
+std::vector<std::size_t> CreasePattern::cuts() const {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (edges[i].isCut()) numbers.push_back(i);
+  }
+  return numbers;
 }
 
 std::string CreasePattern::edgeName(const PatternEdge& edge) const {
@@ -165,18 +176,19 @@ CreasePattern readPattern(const FoldDocument& document) {
   const int count = static_cast<int>(pattern.points.size());
   pattern.file_vertices.resize(count);
   std::iota(pattern.file_vertices.begin(), pattern.file_vertices.end(), 0);
-  const std::vector<int> stand_in = mergeCoincident(pattern.points);
-
   const auto ends = document.edges(pattern.frame, count);
   const std::string kinds = document.assignments(pattern.frame, ends.size());
   const std::vector<double> angles = document.foldAngles(pattern.frame, ends.size());
-  std::map<Ends, std::size_t> known;
+  const auto faces = document.faces(pattern.frame, count);
+  const bool meant = faces.empty() || facesPartAtBorder(ends, kinds, faces);
+  const std::vector<int> stand_in = meant ? pattern.file_vertices : mergeCoincident(pattern.points);
+
+  EdgeCollector edges(pattern);
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const std::array<int, 2> merged{stand_in[ends[i][0]], stand_in[ends[i][1]]};
-    addEdge(pattern, known, makeEdge(merged, i, kinds, angles));
+    edges.add(makeEdge({stand_in[ends[i][0]], stand_in[ends[i][1]]}, i, kinds, angles));
   }
-  readFaces(document, stand_in, pattern);
-  findBorder(pattern, known);
+  addFaces(faces, stand_in, pattern);
+  findBorder(pattern, edges);
   pattern.noted = document.notedCreases(pattern.frame, count);
   for (NotedCrease& crease : pattern.noted) {
     for (int& v : crease.vertices) v = stand_in[v];
@@ -188,9 +200,7 @@ void dropUnused(CreasePattern& pattern, bool keep_flat_edges) {
   if (!keep_flat_edges) {
     pattern.faces.clear();
     auto& edges = pattern.edges;
-    edges.erase(std::remove_if(edges.begin(), edges.end(),
-                               [](const PatternEdge& e) { return !e.isCrease() && !e.isBorder(); }),
-                edges.end());
+    edges.erase(std::remove_if(edges.begin(), edges.end(), isFlat), edges.end());
   }
   std::vector<int> renumbered(pattern.points.size(), -1);
   for (const PatternEdge& edge : pattern.edges) {

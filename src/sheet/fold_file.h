@@ -22,8 +22,8 @@ struct FoldReadOptions {
 /// A paper as a FOLD file describes it.
 struct FoldPaper {
   Sheet sheet;
-  /// Where the paper is in space: the file's last folded form, when the file's own vertices are
-  /// kept (max_edge 0) and it is not folded flat (an edge beyond 179.9 degrees).
+  /// Where the paper is in space: the file's last folded form, unless it is folded flat (an edge
+  /// beyond 179.9 degrees). Vertices that the file lacks stand at their place in its faces.
   std::optional<Positions> positions;
   /// At which angle each crease rests there [rad]; NaN: a free crease. Empty without positions.
   std::vector<double> rest_angles;
@@ -31,7 +31,8 @@ struct FoldPaper {
 
 /// Reads a crease pattern. Creases are grouped into straight lines named crease_0, crease_1, ...
 /// or as the file names them (our own files do). Their pattern_angle is what the file asks of them:
-/// M and V in a file without fold angles ask for -pi and pi; null, and U with 0, for nothing.
+/// M and V in a file without fold angles ask for -pi and pi; null, and U with 0, for nothing. Cuts
+/// with paper on both sides, and border edges that lie on each other, are slits and open.
 /// \throws std::invalid_argument with one sentence that names the file and the place.
 FoldPaper readFold(const std::string& path, const FoldReadOptions& options = {});
 
@@ -42,7 +43,8 @@ struct FoldCrease {
 };
 
 /// A FOLD document: the flat pattern as its key frame (achieved angles in edges_foldAngle) and
-/// the folded form as a frame that inherits from it. In metres.
+/// the folded form as a frame that inherits from it. In metres. The sides of a slit are border
+/// edges that lie on each other, with vertices of their own.
 nlohmann::json writeFold(const Sheet& sheet, const std::vector<FoldCrease>& creases,
                          const Positions& positions, const std::string& title);
 

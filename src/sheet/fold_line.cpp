@@ -16,8 +16,8 @@ FoldLine makeFoldLine(Sheet& sheet, const Line& line, const std::string& name,
   if ((line[1] - line[0]).norm() <= editor.mesh().snap()) {
     refuse("both ends of the line are the same point (", line[0].x(), ", ", line[0].y(), ")");
   }
-  const int from = editor.insertPoint(line[0]);
-  const int to = editor.insertPoint(line[1]);
+  const int from = editor.insertPoint(line[0], line[1] - line[0]);
+  const int to = editor.insertPoint(line[1], line[0] - line[1]);
   if (from == to) refuse("both ends of the line are vertex ", from);
   const std::vector<std::vector<int>> parts = editor.insertLine(from, to);
   if (parts.empty()) refuse("the line runs along the border of the paper");

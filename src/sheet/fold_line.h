@@ -34,7 +34,8 @@ struct FoldLine {
 /// no sliver stays that the creases do not force.
 /// Edges of an existing crease that the line covers stay that crease when it is covered whole,
 /// otherwise the covered part is cut off as a crease of its own; all other edges of the line
-/// become one new crease called `name` (a name of its own if empty).
+/// become one new crease called `name` (a name of its own if empty). Where the line leaves the
+/// paper, over a hole or across a slit, it is parted; along the border or a slit it does not fold.
 /// Bumps the revision. On any error the sheet is untouched.
 /// \throws std::invalid_argument when an end is not finite or off the paper, the ends coincide,
 ///         or the line runs along the border only.

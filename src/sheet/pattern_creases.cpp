@@ -81,8 +81,18 @@ class LineGatherer {
     });
   }
 
+  /// Whether the paper falls apart around v.
+  bool isCutThrough(int v) const {
+    int cuts = 0, borders = 0;
+    for (std::size_t i : edges_at_[v]) {
+      cuts += pattern_.edges[i].isCut();
+      borders += pattern_.edges[i].isBorder();
+    }
+    return cuts > 0 && cuts + borders > 1;
+  }
+
   void extend(std::vector<int>& line, std::size_t like) {
-    for (bool grown = true; grown;) {
+    for (bool grown = true; grown && !isCutThrough(line.back());) {
       grown = false;
       for (std::size_t i : edges_at_[line.back()]) {
         const int next = otherEnd(i, line.back());

@@ -33,7 +33,9 @@ class Trace {
       const bool old = v < before_.vertexCount();
       if (old) home_[v] = around[v];
       if (old && p == before_.flatPositions()[v]) continue;
-      const auto place = locate(p, old ? around[v] : last);
+      const Triangulation& mesh = after_.triangulation();
+      const auto place = mesh.onBorder(v) ? locateBeside(p, mesh.around(v)[0])
+                                          : locate(p, old ? around[v] : last);
       moved_[v] = true;
       home_[v] = last = place.triangle;
       remap.changed.push_back(v);
@@ -48,8 +50,7 @@ class Trace {
       const Triangle& c = after_.triangles()[t];
       const bool moved = moved_[c[0]] || moved_[c[1]] || moved_[c[2]];
       kept_[t] = !moved && t < static_cast<int>(olds.size()) && c == olds[t];
-      const auto& points = after_.flatPositions();
-      const Vector2 centroid = (points[c[0]] + points[c[1]] + points[c[2]]) / 3;
+      const Vector2 centroid = after_.triangulation().centroid(t);
       remap.triangles.push_back(kept_[t] ? t : locate(centroid, home_[c[0]]).triangle);
     }
   }
@@ -61,16 +62,20 @@ class Trace {
         int& edge = remap.edges[after_.edgeIndex({t, k})];
         if (edge != Remap::kNone) continue;
         edge = kept_[t] ? before_.edgeIndex({t, k})
-                        : edgeUnder(after_.triangulation().ends({t, k}));
+                        : edgeUnder({t, k});
       }
     }
   }
 
-  /// The edge before that the segment between two vertices lies on.
-  int edgeUnder(const std::array<int, 2>& ends) const {
+  /// The edge before that an edge after lies on.
+  int edgeUnder(Triangulation::Side side) const {
+    const Triangulation& mesh = after_.triangulation();
+    const auto ends = mesh.ends(side);
     const Vector2 &p = after_.flatPositions()[ends[0]], &q = after_.flatPositions()[ends[1]];
     const Vector2 middle = (p + q) / 2;
-    const int t = locate(middle, home_[ends[0]]).triangle;
+    const bool on_border = mesh.neighbour(side) == Triangulation::kNone;
+    const int t = on_border ? locateBeside(middle, side.triangle).triangle
+                            : locate(middle, home_[ends[0]]).triangle;
     for (int k = 0; k < 3; ++k) {
       const auto [a, b] = before_.triangulation().ends({t, k});
       const Vector2 &from = before_.flatPositions()[a], &to = before_.flatPositions()[b];
@@ -82,6 +87,13 @@ class Trace {
       }
     }
     return Remap::kNone;
+  }
+
+  /// The place of a point on the border, or on the side of a slit that a triangle after is on.
+  Triangulation::Location locateBeside(const Vector2& p, int triangle) const {
+    const Vector2 inside = after_.triangulation().centroid(triangle) - p;
+    const auto place = before_.triangulation().locateAhead(p, inside, tolerance_);
+    return place ? *place : locate(p, 0);
   }
 
   Triangulation::Location locate(const Vector2& p, int near) const {

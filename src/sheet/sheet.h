@@ -62,7 +62,8 @@ class Sheet {
   int edgeIndex(Triangulation::Side side) const { return edge_of_side_[side.triangle][side.edge]; }
   /// Index into creases() of the crease with this id, or -1.
   int creaseIndex(std::uint32_t id) const;
-  /// Vertex whose flat position is nearest to p.
+  /// Vertex whose flat position is nearest to p; of those that coincide, as on the sides of a slit,
+  /// the one with the lowest number.
   int nearestVertex(const Vector2& p) const;
 
   /// Checks everything this class promises. \throws std::logic_error naming what is broken.

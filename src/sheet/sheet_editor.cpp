@@ -26,6 +26,10 @@ double offLine(const Vector2& p, const Line& line) {
   return doubleArea(line[0], line[1], p) / (line[1] - line[0]).norm();
 }
 
+bool isBeyond(const Vector2& p, const Line& line) {
+  return (line[1] - line[0]).dot(p - line[1]) > 0;
+}
+
 /// Where the line through `line` meets the one through a and b.
 Vector2 intersection(const Vector2& a, const Vector2& b, const Line& line) {
   const double sa = offLine(a, line), sb = offLine(b, line);
@@ -58,13 +62,14 @@ bool SheetEditor::shiftTo(int v, const Vector2& p) {
   return true;
 }
 
-int SheetEditor::insertPoint(const Vector2& p) {
-  protected_.push_back(vertexAt(p));
+int SheetEditor::insertPoint(const Vector2& p, const Vector2& ahead) {
+  protected_.push_back(vertexAt(p, ahead));
   return protected_.back();
 }
 
-int SheetEditor::vertexAt(const Vector2& p) {
-  const auto place = mesh_.flat().locate(p, mesh_.snap());
+int SheetEditor::vertexAt(const Vector2& p, const Vector2& ahead) {
+  auto place = mesh_.flat().locateAhead(p, ahead, mesh_.snap());
+  if (!place) place = mesh_.flat().locate(p, mesh_.snap());
   if (!place) refuse("the point ", text(p), " is off the paper");
   const Triangle corners = mesh_.flat().triangles()[place->triangle];
   for (int v : corners) {
@@ -95,6 +100,10 @@ int SheetEditor::vertexAt(const Vector2& p) {
   return mesh_.splitTriangle(place->triangle, target);
 }
 
+bool SheetEditor::coincide(int v, int w) const {
+  return (mesh_.point(v) - mesh_.point(w)).norm() <= mesh_.snap();
+}
+
 /// The vertex after `current` if an edge already lies on the line.
 std::optional<int> SheetEditor::nextOnLine(int current, int to, const Line& line) const {
   const Vector2 ahead = line[1] - line[0];
@@ -117,15 +126,21 @@ std::optional<Triangulation::Side> SheetEditor::crossedSide(int current, const L
   return std::nullopt;
 }
 
-/// The vertex where the line, which left the paper at `current`, first meets it again.
+/// The vertex where the line, which left the paper at `current`, first meets it again: on the other
+/// side of a slit at the same place.
 int SheetEditor::reenter(int current, const Line& line) {
-  const Vector2 along = (line[1] - line[0]).normalized();
+  const Vector2 ahead = line[1] - line[0], here = mesh_.point(current);
+  if (mesh_.flat().locateAhead(here, ahead, mesh_.snap())) {
+    const int across = insertPoint(here, ahead);
+    if (across != current) return across;
+  }
+  const Vector2 along = ahead.normalized();
   double nearest = std::numeric_limits<double>::infinity();
   Vector2 entry = line[1];
   const auto consider = [&](const Vector2& p) {
-    const double ahead = along.dot(p - mesh_.point(current));
-    if (ahead <= mesh_.snap() || ahead >= nearest) return;
-    nearest = ahead;
+    const double distance = along.dot(p - here);
+    if (distance <= mesh_.snap() || distance >= nearest) return;
+    nearest = distance;
     entry = p;
   };
   const Triangulation& mesh = mesh_.flat();
@@ -140,7 +155,7 @@ int SheetEditor::reenter(int current, const Line& line) {
       if (offset_p * offset_q < 0) consider(intersection(p, q, line));
     }
   }
-  return insertPoint(entry);
+  return insertPoint(entry, ahead);
 }
 
 /// Shifts an end of the crossed edge onto the line if one is close to it.
@@ -179,10 +194,11 @@ std::vector<std::vector<int>> SheetEditor::insertLine(int from, int to) {
     for (auto& part : partsInside(polyline)) parts.push_back(std::move(part));
   };
   // Each turn of the loop brings the line forward by a vertex, pulls one onto it, or splits the
-  // edge ahead.
-  while (polyline.back() != to) {
+  // edge ahead. Along a slit it may pass by its end, which is a vertex of the other side.
+  while (!coincide(polyline.back(), to)) {
     const int current = polyline.back();
     if (const auto next = nextOnLine(current, to, line)) {
+      if (*next != to && isBeyond(mesh_.point(*next), line)) break;
       polyline.push_back(*next);
       protected_.push_back(*next);
       continue;

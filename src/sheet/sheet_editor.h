@@ -14,9 +14,10 @@ class SheetEditor {
  public:
   SheetEditor(const Sheet& sheet, const EditContext& context);
 
-  /// The vertex at p: one that is there, one close by that may be shifted there, or a new one.
+  /// The vertex at p: one that is there, one close by that may be shifted there, or a new one. On a
+  /// slit it is on the side that lies towards `ahead`, if one does.
   /// \throws std::invalid_argument off the paper
-  int insertPoint(const Vector2& p);
+  int insertPoint(const Vector2& p, const Vector2& ahead);
   /// Makes the straight line from one vertex to another run along edges and returns the vertices
   /// of its parts inside the paper, in order. Edges that carried no crease form a new one.
   std::vector<std::vector<int>> insertLine(int from, int to);
@@ -33,13 +34,14 @@ class SheetEditor {
     std::optional<int> parent;  ///< index of the old crease
   };
   int addCrease(std::optional<int> parent);
+  bool coincide(int v, int w) const;
   std::optional<int> nextOnLine(int current, int to, const Line& line) const;
   std::optional<Triangulation::Side> crossedSide(int current, const Line& line) const;
   int reenter(int current, const Line& line);
   bool pullOntoLine(int current, const std::array<int, 2>& ends, const Line& line);
   /// Shifts v to p if that changes neither outline, creases nor shape and leaves no sliver.
   bool shiftTo(int v, const Vector2& p);
-  int vertexAt(const Vector2& p);
+  int vertexAt(const Vector2& p, const Vector2& ahead);
   std::vector<std::vector<int>> partsInside(const std::vector<int>& polyline) const;
   void label(const std::vector<std::vector<int>>& parts);
   std::vector<Crease> gatherCreases(Sheet& sheet, const std::vector<std::vector<int>>& parts,

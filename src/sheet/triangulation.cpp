@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t kNearby = 60;
 /// A barycentric coordinate as negative as this counts as zero: p lies on the edge.
 constexpr double kRounding = 1e-12;
+/// A direction within this angle of a side leads along it [rad].
+constexpr double kAlongSide = 1e-7;
 
 int next(int k) { return k == 2 ? 0 : k + 1; }
 int previous(int k) { return k == 0 ? 2 : k - 1; }
@@ -91,6 +93,11 @@ int Triangulation::cornerOf(int triangle, int v) const {
   return corners[0] == v ? 0 : corners[1] == v ? 1 : 2;
 }
 
+Vector2 Triangulation::centroid(int triangle) const {
+  const auto [a, b, c] = triangles_[triangle];
+  return (points_[a] + points_[b] + points_[c]) / 3;
+}
+
 std::vector<int> Triangulation::around(int v) const {
   // Clockwise to the border or once around, then counter-clockwise from there.
   int first = incident_[v];
@@ -140,6 +147,37 @@ std::optional<Triangulation::Location> Triangulation::locate(const Vector2& p,
   }
   if (best.triangle == kNone) return std::nullopt;
   return best;
+}
+
+/// The least sine of the angle by which `ahead` (of length 1) leads into the triangle from the
+/// sides that p lies on; 1 inside, -1 off the triangle.
+double Triangulation::inwardness(int triangle, const Vector2& p, const Vector2& ahead,
+                                 double tolerance) const {
+  double least = 1;
+  for (int k = 0; k < 3; ++k) {
+    const auto [a, b] = ends({triangle, k});
+    const Vector2 along = (points_[b] - points_[a]).normalized();
+    const double inside = cross(along, p - points_[a]);
+    if (inside < -tolerance) return -1;
+    if (inside <= tolerance) least = std::min(least, cross(along, ahead));
+  }
+  return least;
+}
+
+std::optional<Triangulation::Location> Triangulation::locateAhead(const Vector2& p,
+                                                                  const Vector2& direction,
+                                                                  double tolerance) const {
+  const Vector2 ahead = direction.normalized();
+  int best = kNone;
+  double deepest = -kAlongSide;
+  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
+    const double inward = inwardness(t, p, ahead, tolerance);
+    if (inward <= deepest) continue;
+    deepest = inward;
+    best = t;
+  }
+  if (best == kNone) return std::nullopt;
+  return Location{best, weightsAt(p, best)};
 }
 
 std::optional<Triangulation::Location> Triangulation::locateNear(const Vector2& p,

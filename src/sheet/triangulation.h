@@ -57,14 +57,19 @@ class Triangulation {
   std::optional<Side> findSide(int a, int b) const;
   /// The corner of the triangle that is vertex v. \pre v is one of its corners
   int cornerOf(int triangle, int v) const;
+  Vector2 centroid(int triangle) const;
   /// Triangles around v, counter-clockwise; on the border starting at the border.
   std::vector<int> around(int v) const;
   bool onBorder(int v) const;
 
-  /// The triangle that p lies in; where several do, the first found. None off the triangulation
-  /// (farther from it than `tolerance` [m]).
+  /// The triangle that p lies in; where several do, as on an edge or a slit, the first found. None
+  /// off the triangulation (farther from it than `tolerance` [m]).
   std::optional<Location> locate(const Vector2& p, double tolerance) const;
-  /// The same, faster where p lies in or not far from the triangle `near`.
+  /// The place of p in a triangle that reaches from p towards `direction`. Where sides of a slit
+  /// lie on each other this tells them apart. None where no paper lies that way.
+  std::optional<Location> locateAhead(const Vector2& p, const Vector2& direction,
+                                      double tolerance) const;
+  /// The same as locate(), faster where p lies in or not far from the triangle `near`.
   std::optional<Location> locateNear(const Vector2& p, double tolerance, int near) const;
 
   /// Puts a vertex at p, which lies on the edge, and cuts both triangles in two. Returns it.
@@ -82,6 +87,7 @@ class Triangulation {
 
  private:
   Vector3 weightsAt(const Vector2& p, int triangle) const;
+  double inwardness(int triangle, const Vector2& p, const Vector2& ahead, double tolerance) const;
   int addPoint(const Vector2& p);
   int addTriangle();
   void setTriangle(int t, const Triangle& corners, const std::array<int, 3>& neighbours,

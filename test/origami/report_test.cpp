@@ -109,6 +109,19 @@ TEST_F(Report, foldFilesAreReadBack) {
   EXPECT_EQ(json::parse(contents(in("paper.fold")))["file_title"], "paper");
 }
 
+TEST_F(Report, foldFilesAreReadBackFoldedOnAFinerMesh) {
+  savePaper(simulation_, in("paper.fold"));
+  json document = json::parse(contents(in("paper.fold")));
+  document.erase("shell_origami:creases");  // so that the crease's angle is measured
+  std::ofstream(in("finer.fold")) << document;
+  const FoldPaper paper = readFold(in("finer.fold"), {0, 0.004});
+  ASSERT_TRUE(paper.positions);
+  EXPECT_GT(paper.sheet.vertexCount(), 2 * simulation_.sheet().vertexCount());
+  EXPECT_NEAR(paper.rest_angles[0], simulation_.creases()[0].angle, 1e-3);
+  const Simulation finer(paper.sheet, SimulationConfig(), *paper.positions, paper.rest_angles);
+  EXPECT_LT(finer.energies().membrane, 1e-6);
+}
+
 TEST_F(Report, aFreeCreaseStaysFree) {
   const Sheet folded = simulation_.sheet();
   const Simulation free(folded, SimulationConfig(), simulation_.positions(),

@@ -1,5 +1,6 @@
 #include "random_sheets.h"
 
+#include "sheet/cuts.h"
 #include "sheet/mesh_refine.h"
 
 #include <Eigen/Geometry>
@@ -51,6 +52,18 @@ PlanarGraph ring() {
                    {{.075, .075}});
 }
 
+Triangulation slits(double max_edge) {
+  PlanarGraph graph;
+  graph.points = {{0, 0},     {.15, 0},   {.15, .15}, {0, .15},   {.06, 0},   {.07, .05},
+                  {.02, .03}, {.03, .12}, {.07, .1},  {.1, .1},   {.13, .1},  {.1, .07},
+                  {.1, .13}};
+  graph.segments = {{0, 4},  {4, 1},  {1, 2},  {2, 3}, {3, 0}, {4, 5}, {6, 7},
+                    {8, 9}, {9, 10}, {11, 9}, {9, 12}};
+  GraphMesh mesh = meshGraph(graph, max_edge);
+  openCuts(mesh, {5, 6, 7, 8, 9, 10});
+  return mesh.triangulation;
+}
+
 double RandomSheets::unit() { return std::uniform_real_distribution<double>(0, 1)(random_); }
 
 PlanarGraph RandomSheets::outline() {
@@ -61,6 +74,10 @@ PlanarGraph RandomSheets::outline() {
     case 2: return star();
     default: return outlineOf({{{0, 0}, {width, 0}, {width, height}, {0, height}}});
   }
+}
+
+Triangulation RandomSheets::mesh(double max_edge) {
+  return unit() < 0.2 ? slits(max_edge) : triangulate(outline(), max_edge);
 }
 
 Vector2 RandomSheets::point(const Sheet& sheet) {

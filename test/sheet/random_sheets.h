@@ -1,10 +1,10 @@
 /// \file
-/// Random sheets - rectangles, an L, a ring, a star - and lines on them; and what no edit of one
-/// may change.
+/// Random sheets - rectangles, an L, a ring, a star, a square with slits - and lines on them; and
+/// what no edit of one may change.
 #pragma once
 
-#include "sheet/planar_graph.h"
 #include "sheet/sheet.h"
+#include "sheet/triangulate.h"
 
 #include <random>
 
@@ -12,6 +12,8 @@ namespace shell_origami {
 
 PlanarGraph ell();
 PlanarGraph ring();
+/// A square with a slit from the border, one inside, and two that cross.
+Triangulation slits(double max_edge);
 
 class RandomSheets {
  public:
@@ -22,6 +24,8 @@ class RandomSheets {
   double between(double low, double high) { return low + (high - low) * unit(); }
   int below(int count) { return static_cast<int>(count * unit()); }
   PlanarGraph outline();
+  /// One of those outlines, or slits().
+  Triangulation mesh(double max_edge);
   /// Anywhere on the paper, three times in ten at a vertex.
   Vector2 point(const Sheet& sheet);
   /// Between two such points that are not the same.
