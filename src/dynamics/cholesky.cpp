@@ -4,7 +4,6 @@
 #include <omp.h>
 
 #include <cstring>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -45,8 +44,8 @@ struct Cholesky::Implementation {
     common.print = 0;
     common.supernodal = CHOLMOD_SUPERNODAL;  // faster at every size of sheet
     common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_GIVEN;
-    common.postorder = true;
+    common.method[0].ordering = CHOLMOD_NATURAL;
+    common.postorder = false;
     common.quick_return_if_not_posdef = true;
     // Debian's CHOLMOD opens a parallel region in its inner loop whatever OMP_NUM_THREADS says,
     // at four times the cost of the factorization.
@@ -59,19 +58,28 @@ struct Cholesky::Implementation {
     cholmod_free_factor(&factor, &common);
     cholmod_finish(&common);
   }
-
-  std::vector<int> orderVertices(const SystemMatrix& matrix) {
-    const int n = matrix.blockRows();
-    std::vector<int> order(n);
-    cholmod_sparse graph =
-        view(n, matrix.blockStarts(), matrix.blockIndices(), nullptr);
-    const bool done = n > kDissectionVertices
-                          ? cholmod_metis(&graph, nullptr, 0, false, order.data(), &common)
-                          : cholmod_amd(&graph, nullptr, 0, order.data(), &common);
-    if (!done) std::iota(order.begin(), order.end(), 0);
-    return order;
-  }
 };
+
+std::vector<int> eliminationOrder(const VertexGraph& graph) {
+  cholmod_common common;
+  cholmod_start(&common);
+  common.print = 0;
+  common.nmethods = 1;
+  common.method[0].ordering =
+      graph.size() > kDissectionVertices ? CHOLMOD_METIS : CHOLMOD_AMD;
+  common.postorder = true;
+  cholmod_sparse pattern = view(graph.size(), graph.starts, graph.indices, nullptr);
+  cholmod_factor* factor = cholmod_analyze(&pattern, &common);
+  std::vector<int> order;
+  if (factor) {
+    const int* permutation = static_cast<const int*>(factor->Perm);
+    order.assign(permutation, permutation + graph.size());
+  }
+  cholmod_free_factor(&factor, &common);
+  cholmod_finish(&common);
+  if (order.empty()) throw std::runtime_error("CHOLMOD could not order the vertices");
+  return order;
+}
 
 Cholesky::Cholesky() : implementation_(std::make_unique<Implementation>()) {}
 Cholesky::~Cholesky() = default;
@@ -81,14 +89,9 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 void Cholesky::analyze(const SystemMatrix& matrix) {
   Implementation& own = *implementation_;
   cholmod_free_factor(&own.factor, &own.common);
-  std::vector<int> permutation;
-  permutation.reserve(matrix.size());
-  for (int v : own.orderVertices(matrix)) {
-    for (int r = 0; r < 3; ++r) permutation.push_back(3 * v + r);
-  }
   cholmod_sparse a = view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(),
                           matrix.values().data());
-  own.factor = cholmod_analyze_p(&a, permutation.data(), nullptr, 0, &own.common);
+  own.factor = cholmod_analyze(&a, &own.common);
   if (!own.factor) throw std::runtime_error("CHOLMOD could not analyze the system matrix");
 }
 

@@ -1,6 +1,7 @@
 #include "dynamics/implicit_solver.h"
 
-#include <cmath>
+#include "dynamics/timer.h"
+
 #include <utility>
 
 namespace shell_origami {
@@ -19,28 +20,28 @@ Positions withHeld(const Loading& loading, Positions x) {
 ImplicitSolver::ImplicitSolver(const SolverConfig& config)
     : tolerance_(config.tolerance), max_iterations_(config.max_iterations) {}
 
-bool ImplicitSolver::solve(const Loading& loading, const Inertia& inertia, const Positions& predicted,
+bool ImplicitSolver::solve(const Loading& loading, const Inertia& inertia, const Positions& start,
                            double dt, const Positions& before, Positions& x, StepReport& report) {
-  if (std::exchange(stale_, false)) newton_.setTopology(loading.shell, loading.free);
-  std::vector<double> angles;
-  loading.shell.foldAngles(before, angles);
-  x = withHeld(loading, predicted);
-  if (!std::isfinite(loading.shell.energy(x, angles))) x = withHeld(loading, before);
-  if (const auto fault = loading.shell.findFault(x, angles)) {
-    report.failure = std::string("where pins are carried ") + fault->what;
-    report.vertex = fault->vertex;
-    return false;
+  if (std::exchange(stale_, false)) {
+    const Timer timer(report.times.symbolic);
+    newton_.setTopology(loading.shell, loading.free);
   }
-  const NewtonResult result =
-      newton_.minimize(loading.shell, inertia, tolerance_ * dt, max_iterations_, x);
-  report.newton_iterations += result.iterations;
-  report.factorizations += result.factorizations;
-  report.residual = result.last_step / dt;
-  const auto fault = loading.shell.findFault(x, angles);
-  if (result.converged && !fault) return true;
-  report.failure = result.converged ? fault->what : result.failure;
-  report.vertex = result.converged ? fault->vertex : result.vertex;
-  return false;
+  const auto minimize = [&](const Positions& start) {
+    x = withHeld(loading, start);
+    const NewtonResult result =
+        newton_.minimize(loading.shell, inertia, before, tolerance_ * dt, max_iterations_, x);
+    report.newton_iterations += result.iterations;
+    report.factorizations += result.factorizations;
+    report.residual = result.last_step / dt;
+    report.times += result.times;
+    report.failure = result.failure;
+    report.vertex = result.vertex;
+    return result;
+  };
+  const NewtonResult result = minimize(start);
+  if (result.converged) return true;
+  // The start itself may be no paper.
+  return result.iterations == 0 && minimize(before).converged;
 }
 
 }  // namespace shell_origami

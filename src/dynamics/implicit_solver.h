@@ -14,9 +14,9 @@ class ImplicitSolver {
   /// Says that topology or held vertices changed: the next solve makes its matrix anew.
   void topologyChanged() { stale_ = true; }
 
-  /// The minimum of energy and inertia into x, within the tolerance. The search starts at the
-  /// predictor, which saves half of the iterations, unless that throws a hinge through 180 degrees.
-  bool solve(const Loading& loading, const Inertia& inertia, const Positions& predicted, double dt,
+  /// The minimum of energy and inertia into x, within the tolerance. The search begins at `start`,
+  /// or where that throws a hinge through 180 degrees, at `before`.
+  bool solve(const Loading& loading, const Inertia& inertia, const Positions& start, double dt,
              const Positions& before, Positions& x, StepReport& report);
 
  private:

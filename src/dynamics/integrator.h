@@ -2,6 +2,7 @@
 /// One step through time, by one of several schemes.
 #pragma once
 
+#include "dynamics/newton.h"
 #include "shell/shell.h"
 
 #include <map>
@@ -39,6 +40,7 @@ struct StepReport {
   int factorizations = 0;
   int retries = 0;          ///< times a step was cut in two
   double residual = 0;      ///< last Newton step over the time step [m/s]
+  SolverTimes times;        ///< of implicit schemes
   std::string failure;      ///< why it did not converge
   int vertex = -1;          ///< where it did not; -1: everywhere
 };

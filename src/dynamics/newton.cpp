@@ -1,14 +1,15 @@
 #include "dynamics/newton.h"
 
+#include "dynamics/timer.h"
+
 #include <cmath>
 
 namespace shell_origami {
 namespace {
 
-/// After this many iterations the exact Hessian takes the Gauss-Newton one's place, wherever it is
-/// positive definite (the inertia mostly makes it so): where paper is about to buckle, a Hessian
-/// without its negative parts needed hundreds of iterations.
-constexpr int kPatience = 3;
+/// A step that an old factor gives and that is not this much shorter than the last is thrown away
+/// for that of a new factor: solving again costs a tenth of a factorization, a bad step several.
+constexpr double kShrinks = 0.2;
 /// Sufficient decrease of the line search (Armijo), and how often it halves the step.
 constexpr double kDecrease = 1e-4;
 constexpr int kHalvings = 25;
@@ -22,116 +23,199 @@ double enough(double start, double slope) {
 
 }  // namespace
 
+SolverTimes& SolverTimes::operator+=(const SolverTimes& other) {
+  symbolic += other.symbolic;
+  assembly += other.assembly;
+  numeric += other.numeric;
+  solve += other.solve;
+  search += other.search;
+  return *this;
+}
+
 void Newton::setTopology(const Shell& shell, const std::vector<bool>& free) {
   unknown_count_ = 0;
   unknown_.assign(free.size(), -1);
   for (std::size_t v = 0; v < free.size(); ++v) {
     if (free[v]) unknown_[v] = unknown_count_++;
   }
+  if (unknown_count_ == 0) return;
+  const std::vector<int> order = eliminationOrder(VertexGraph(shell, unknown_, unknown_count_));
+  std::vector<int> place(unknown_count_);
+  for (int i = 0; i < unknown_count_; ++i) place[order[i]] = i;
+  for (int& row : unknown_) {
+    if (row >= 0) row = place[row];
+  }
   matrix_ = SystemMatrix(shell, unknown_, unknown_count_);
-  if (unknown_count_ > 0) cholesky_.analyze(matrix_);
+  cholesky_.analyze(matrix_);
 }
 
-double Newton::objective(const Shell& shell, const Inertia& inertia, const Positions& x) const {
+double Newton::objective(const Shell& shell, const Inertia& inertia, const Positions& x,
+                         const std::vector<double>& before, std::vector<double>& angles) const {
   const double distance =
       (x - inertia.anchor).colwise().squaredNorm().dot(shell.masses().transpose());
-  return shell.energy(x, angles_) + inertia.stiffness / 2 * distance;
+  return shell.energy(x, before, angles) + inertia.stiffness / 2 * distance;
 }
 
-/// Newton's step from x into step_. False when the matrix cannot be factorized.
-bool Newton::direction(const Shell& shell, const Inertia& inertia, const Positions& x,
-                       HessianKind kind) {
-  gradient_ = inertia.stiffness * (x - inertia.anchor) * shell.masses().asDiagonal();
-  shell.addGradient(x, angles_, gradient_);
-  matrix_.setZero();
-  shell.forEachHessian(x, angles_, kind,
-                       [this](int stencil, const auto& block) { matrix_.add(stencil, block); });
+/// False where x is no configuration that the paper can come to from `before`.
+bool Newton::start(const Shell& shell, const Inertia& inertia, const Positions& before,
+                   const Positions& x, NewtonResult& result) {
+  const Timer timer(result.times.search);
+  shell.foldAngles(before, angles_before_);
+  shell.strains(before, strains_);
+  factorized_ = false;
+  value_ = objective(shell, inertia, x, angles_before_, angles_);
+  return std::isfinite(value_);
+}
+
+bool Newton::assembleAndFactorize(const Shell& shell, const Inertia& inertia, const Positions& x,
+                                  HessianKind kind, NewtonResult& result) {
+  {
+    const Timer timer(result.times.assembly);
+    matrix_.setZero();
+    shell.forEachHessian(x, angles_, turns_, strains_, kind,
+                         [this](int stencil, const auto& block) { matrix_.add(stencil, block); });
+    for (std::size_t v = 0; v < unknown_.size(); ++v) {
+      if (unknown_[v] < 0) continue;
+      matrix_.addToDiagonal(unknown_[v], inertia.stiffness * shell.masses()[v]);
+    }
+  }
+  const Timer timer(result.times.numeric);
+  ++result.factorizations;
+  return cholesky_.factorize(matrix_);
+}
+
+/// The exact Hessian where the paper is bent, which the inertia mostly makes positive definite, and where it is not the
+/// Gauss-Newton one: without its negative parts a Hessian converges slowly, where paper is about to
+/// buckle not for hundreds of iterations.
+bool Newton::factorize(const Shell& shell, const Inertia& inertia, const Positions& x,
+                       NewtonResult& result) {
+  factorized_ = assembleAndFactorize(shell, inertia, x, HessianKind::kExactWhereBent, result) ||
+                assembleAndFactorize(shell, inertia, x, HessianKind::kGaussNewton, result);
+  return factorized_;
+}
+
+/// The factor's step down the gradient into step_. Returns its largest displacement [m].
+double Newton::solve(NewtonResult& result) {
+  const Timer timer(result.times.solve);
   right_hand_side_.resize(matrix_.size());
   for (std::size_t v = 0; v < unknown_.size(); ++v) {
-    if (unknown_[v] < 0) continue;
-    matrix_.addToDiagonal(unknown_[v], inertia.stiffness * shell.masses()[v]);
-    right_hand_side_.segment<3>(3 * unknown_[v]) = -gradient_.col(v);
+    if (unknown_[v] >= 0) right_hand_side_.segment<3>(3 * unknown_[v]) = -gradient_.col(v);
   }
-  if (!right_hand_side_.allFinite() || !cholesky_.factorize(matrix_)) return false;
   cholesky_.solve(right_hand_side_);
-  step_.setZero(3, x.cols());
   for (std::size_t v = 0; v < unknown_.size(); ++v) {
     if (unknown_[v] >= 0) step_.col(v) = right_hand_side_.segment<3>(3 * unknown_[v]);
-    else gradient_.col(v).setZero();
   }
-  return step_.allFinite();
+  return std::sqrt(step_.colwise().squaredNorm().maxCoeff(&result.vertex));
 }
 
-/// Newton's step from x, by the Hessian that suits this iteration.
+/// Newton's step from x into step_, as far as hinges may turn. False when the matrix cannot be
+/// factorized.
 bool Newton::computeStep(const Shell& shell, const Inertia& inertia, const Positions& x,
                          NewtonResult& result) {
-  shell.foldAngles(x, angles_);
   ++result.iterations;
-  ++result.factorizations;
-  bool found = result.iterations > kPatience &&
-               direction(shell, inertia, x, HessianKind::kExact);
-  if (!found) {
-    if (result.iterations > kPatience) ++result.factorizations;
-    found = direction(shell, inertia, x, HessianKind::kGaussNewton);
+  {
+    const Timer timer(result.times.assembly);
+    shell.turns(x, turns_);
+    gradient_ = inertia.stiffness * (x - inertia.anchor) * shell.masses().asDiagonal();
+    shell.addGradient(x, angles_, turns_, gradient_);
+    for (std::size_t v = 0; v < unknown_.size(); ++v) {
+      if (unknown_[v] < 0) gradient_.col(v).setZero();
+    }
   }
-  if (!found) return false;
-  result.last_step = std::sqrt(step_.colwise().squaredNorm().maxCoeff(&result.vertex));
-  step_ *= shell.safeStep(x, angles_, step_);
-  return true;
+  if (!gradient_.allFinite()) return false;
+  step_.setZero(3, x.cols());
+  const bool old = factorized_;
+  if (!old && !factorize(shell, inertia, x, result)) return false;
+  double length = solve(result);
+  if (old && !(length < kShrinks * result.last_step)) {
+    if (!factorize(shell, inertia, x, result)) return false;
+    length = solve(result);
+  }
+  result.last_step = length;
+  const Timer timer(result.times.search);
+  step_ *= shell.safeStep(angles_, turns_, step_);
+  shell.strainsAfter(x, step_, strains_);
+  return step_.allFinite();
 }
 
 /// Shortens the step from the base until the objective falls enough, and leaves trial_ there.
 bool Newton::backtrack(const Shell& shell, const Inertia& inertia) {
-  angles_ = base_.angles;
-  double fraction = 0.5;
-  for (int i = 0; i < kHalvings; ++i, fraction /= 2) {
-    trial_ = base_.x + fraction * base_.step;
-    const double value = objective(shell, inertia, trial_);
-    if (value <= enough(base_.value, fraction * base_.slope)) return true;
+  double fraction = 1;
+  for (int i = 0; i < kHalvings; ++i) {
+    fraction /= 2;
+    base_.step /= 2;
+    trial_ = base_.x + base_.step;
+    trial_value_ = objective(shell, inertia, trial_, base_.angles, trial_angles_);
+    if (trial_value_ > enough(base_.value, fraction * base_.slope)) continue;
+    shell.strainsAfter(base_.x, base_.step, strains_);
+    return true;
   }
   return false;
 }
 
-NewtonResult Newton::minimize(const Shell& shell, const Inertia& inertia, double tolerance,
-                              int max_iterations, Positions& x) {
+void Newton::remember(const Positions& x) {
+  base_.x = x;
+  base_.step = step_;
+  base_.angles = angles_;
+  base_.value = value_;
+  base_.slope = gradient_.cwiseProduct(step_).sum();
+}
+
+/// Goes on to the trial.
+void Newton::advance(Positions& x) {
+  x.swap(trial_);
+  angles_.swap(trial_angles_);
+  value_ = trial_value_;
+}
+
+NewtonResult Newton::minimize(const Shell& shell, const Inertia& inertia, const Positions& before,
+                              double tolerance, int max_iterations, Positions& x) {
   NewtonResult result;
-  if (unknown_count_ == 0) {
-    result.converged = true;
+  if (!start(shell, inertia, before, x, result)) {
+    const auto fault = shell.findFault(x, angles_before_);
+    result.failure = fault ? fault->what : "the energy is not finite";
+    if (fault) result.vertex = fault->vertex;
     return result;
   }
+  result.converged = unknown_count_ == 0;
   bool uphill = false;  // x is one step beyond the base, and higher
-  while (result.iterations < max_iterations) {
+  while (!result.converged) {
+    if (result.iterations == max_iterations) {
+      result.failure = "Newton's method did not converge in " + std::to_string(max_iterations) +
+                       " iterations";
+      return result;
+    }
     if (!computeStep(shell, inertia, x, result)) {
       result.failure = "the system matrix could not be factorized";
       return result;
     }
-    if (!uphill) {
-      base_ = {x, step_, angles_, objective(shell, inertia, x),
-               gradient_.cwiseProduct(step_).sum()};
-    }
+    const Timer timer(result.times.search);
+    if (!uphill) remember(x);
     const bool close = result.last_step <= tolerance;
     trial_ = x + step_;
-    const double value = objective(shell, inertia, trial_);
-    const bool fell = value <= enough(base_.value, base_.slope);
-    if (!fell && !uphill && !close && std::isfinite(value)) {
+    trial_value_ = objective(shell, inertia, trial_, angles_, trial_angles_);
+    const bool fell = trial_value_ <= enough(base_.value, base_.slope);
+    if (!fell) factorized_ = false;
+    if (!fell && !uphill && !close && std::isfinite(trial_value_)) {
       uphill = true;
-      x.swap(trial_);
+      advance(x);
       continue;
     }
     const bool found = fell || backtrack(shell, inertia);
-    x = found ? trial_ : base_.x;
-    if (close && (fell || !uphill)) {
-      result.converged = true;
-      return result;
-    }
-    if (!found) {
+    result.converged = close && (fell || !uphill);
+    if (found) advance(x);
+    else x = base_.x;
+    if (!found && !result.converged) {
       result.failure = "the line search found no lower energy";
       return result;
     }
     uphill = false;
   }
-  result.failure = "Newton's method did not converge in " + std::to_string(max_iterations) +
-                   " iterations";
+  if (const auto fault = shell.findJump(angles_before_, angles_)) {
+    result.converged = false;
+    result.failure = fault->what;
+    result.vertex = fault->vertex;
+  }
   return result;
 }
 

@@ -8,8 +8,9 @@ namespace shell_origami {
 // which costs nothing and bounds no step.
 bool SymplecticEuler::step(const Loading& loading, double dt, Motion& motion, StepReport& report) {
   loading.shell.foldAngles(motion.positions, angles_);
+  loading.shell.turns(motion.positions, turns_);
   gradient_.setZero(3, motion.positions.cols());
-  loading.shell.addGradient(motion.positions, angles_, gradient_);
+  loading.shell.addGradient(motion.positions, angles_, turns_, gradient_);
   Positions velocity = motion.velocities;
   for (int v = 0; v < static_cast<int>(velocity.cols()); ++v) {
     if (loading.free[v]) {

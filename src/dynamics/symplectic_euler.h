@@ -15,6 +15,7 @@ class SymplecticEuler : public Integrator {
  private:
   // Scratch, kept between steps.
   std::vector<double> angles_;
+  std::vector<HingeGradient> turns_;
   Positions gradient_;
 };
 

@@ -10,6 +10,15 @@
 
 namespace shell_origami {
 
+/// Which unknown vertices share a triangle or a hinge: compressed columns of the lower triangle.
+struct VertexGraph {
+  VertexGraph(const Shell& shell, const std::vector<int>& unknown, int unknown_count);
+
+  int size() const { return static_cast<int>(starts.size()) - 1; }
+
+  std::vector<int> starts, indices;
+};
+
 /// Lower triangle, compressed columns, in blocks of 3x3: one block row an unknown vertex. The
 /// pattern and the place of every element's entries stay as long as topology and pins do.
 ///
@@ -24,10 +33,6 @@ class SystemMatrix {
 
   int blockRows() const { return block_rows_; }
   int size() const { return 3 * block_rows_; }
-  /// Blocks below the diagonal: compressed columns of the vertex graph.
-  const std::vector<int>& blockStarts() const { return block_starts_; }
-  const std::vector<int>& blockIndices() const { return block_indices_; }
-
   const std::vector<int>& columnStarts() const { return column_starts_; }
   const std::vector<int>& rowIndices() const { return row_indices_; }
   const std::vector<double>& values() const { return values_; }
@@ -38,6 +43,7 @@ class SystemMatrix {
   /// Adds the block of a stencil of Shell::forEachHessian.
   template <int Size>
   void add(int stencil, const Eigen::Matrix<double, Size, Size>& block);
+  void add(int stencil, const RankOne& block);
 
  private:
   /// Where the block of a pair of a stencil's corners lands.
@@ -46,11 +52,10 @@ class SystemMatrix {
     int stride;
     int row, column;  ///< corners, so that the block lies in the lower triangle
   };
-  void makePattern(std::vector<std::vector<int>> below);
-  void addStencil(const int* vertices, int count, const std::vector<int>& unknown);
+  void addStencil(const int* vertices, int count, const std::vector<int>& unknown,
+                  const VertexGraph& graph);
 
   int block_rows_ = 0;
-  std::vector<int> block_starts_, block_indices_;
   std::vector<int> column_starts_, row_indices_;
   std::vector<double> values_;
   std::vector<int> target_starts_;
@@ -64,6 +69,17 @@ void SystemMatrix::add(int stencil, const Eigen::Matrix<double, Size, Size>& blo
     for (int c = 0; c < 3; ++c) {
       double* column = values_.data() + target.start + c * target.stride;
       for (int r = 0; r < 3; ++r) column[r] += block(3 * target.row + r, 3 * target.column + c);
+    }
+  }
+}
+
+inline void SystemMatrix::add(int stencil, const RankOne& block) {
+  for (int i = target_starts_[stencil]; i < target_starts_[stencil + 1]; ++i) {
+    const Target& target = targets_[i];
+    for (int c = 0; c < 3; ++c) {
+      double* column = values_.data() + target.start + c * target.stride;
+      const double factor = block.factor * block.vector[3 * target.column + c];
+      for (int r = 0; r < 3; ++r) column[r] += factor * block.vector[3 * target.row + r];
     }
   }
 }

@@ -71,19 +71,22 @@ void addWing(const Wing& wing, const std::array<int, 3>& at, HingeHessian& hessi
 }  // namespace
 
 double foldAngle(const HingePoints& x) {
-  const Vector3d e = (x[1] - x[0]).normalized();
-  const Vector3d n1 = left(x).normal(), n2 = right(x).normal();
-  return std::atan2(n2.cross(n1).dot(e), n1.dot(n2));
+  const Vector3d e = x[1] - x[0];
+  const Vector3d n1 = e.cross(x[2] - x[0]), n2 = (x[3] - x[1]).cross(e);
+  return std::atan2(n2.cross(n1).dot(e), n1.dot(n2) * e.norm());
 }
 
 HingeGradient foldAngleGradient(const HingePoints& x) {
-  const Wing a = left(x), b = right(x);
-  const Vector3d ta = a.turn(), tb = b.turn();
+  const Vector3d e = x[1] - x[0], a = x[2] - x[0], b = x[3] - x[1];
+  const Vector3d n1 = e.cross(a), n2 = b.cross(e);
+  const double e2 = e.squaredNorm(), length = std::sqrt(e2);
+  const Vector3d ta = length / n1.squaredNorm() * n1, tb = length / n2.squaredNorm() * n2;
+  const double foot_a = e.dot(a) / e2, foot_b = -e.dot(b) / e2;  // from x0, from x1
   HingeGradient gradient;
+  gradient.segment<3>(0) = (foot_a - 1) * ta - foot_b * tb;
+  gradient.segment<3>(3) = -foot_a * ta + (foot_b - 1) * tb;
   gradient.segment<3>(6) = ta;
   gradient.segment<3>(9) = tb;
-  gradient.segment<3>(0) = -(1 - a.foot()) * ta - b.foot() * tb;
-  gradient.segment<3>(3) = -a.foot() * ta - (1 - b.foot()) * tb;
   return gradient;
 }
 

@@ -64,14 +64,27 @@ double EdgeAreaMembrane::areaRatio(const TrianglePoints& x) const {
   return normal(x).norm() / 2 / area_;
 }
 
-double EdgeAreaMembrane::energy(const TrianglePoints& x) const {
-  double sum = 0;
+MembraneStrain EdgeAreaMembrane::strain(const TrianglePoints& x) const {
+  MembraneStrain strain;
+  for (int k = 0; k < 3; ++k) strain[k] = edge(x, k).norm() / lengths_[k] - 1;
+  strain[3] = areaRatio(x) - 1;
+  return strain;
+}
+
+MembraneStrain EdgeAreaMembrane::strainAfter(const TrianglePoints& x,
+                                             const TrianglePoints& displacement) const {
+  MembraneStrain after = strain(x);
+  const MembraneGradient swell = areaGradient(x) / area_;
   for (int k = 0; k < 3; ++k) {
-    const double stretch = edge(x, k).norm() / lengths_[k] - 1;
-    sum += stretch * stretch;
+    after[k] += edge(x, k).normalized().dot(edge(displacement, k)) / lengths_[k];
+    after[3] += swell.segment<3>(3 * k).dot(displacement[k]);
   }
-  const double swell = areaRatio(x) - 1;
-  return edge_stiffness_ * sum + area_stiffness_ * swell * swell;
+  return after;
+}
+
+double EdgeAreaMembrane::energy(const TrianglePoints& x) const {
+  const MembraneStrain s = strain(x);
+  return edge_stiffness_ * s.head<3>().squaredNorm() + area_stiffness_ * s[3] * s[3];
 }
 
 MembraneGradient EdgeAreaMembrane::gradient(const TrianglePoints& x) const {
@@ -88,16 +101,16 @@ MembraneGradient EdgeAreaMembrane::gradient(const TrianglePoints& x) const {
   return gradient;
 }
 
-MembraneHessian EdgeAreaMembrane::hessian(const TrianglePoints& x, bool projected) const {
-  const double swell = areaRatio(x) - 1;
+MembraneHessian EdgeAreaMembrane::hessian(const TrianglePoints& x, const MembraneStrain& strain,
+                                          bool projected) const {
   const MembraneGradient g = areaGradient(x) / area_;
   MembraneHessian hessian = 2 * area_stiffness_ * g * g.transpose();
-  if (!projected) hessian += 2 * area_stiffness_ * swell / area_ * areaHessian(x);
+  if (!projected) hessian += 2 * area_stiffness_ * strain[3] / area_ * areaHessian(x);
   for (int k = 0; k < 3; ++k) {
     const Vector3d e = edge(x, k);
     const double length = e.norm(), stiffness = 2 * edge_stiffness_ / lengths_[k] / lengths_[k];
     const Matrix3d along = e * e.transpose() / (length * length);
-    double across = 1 - lengths_[k] / length;
+    double across = strain[k] * lengths_[k] / length;
     if (projected) across = std::max(0.0, across);
     const Matrix3d block = stiffness * (along + across * (Matrix3d::Identity() - along));
     for (int i : {from(k), to(k)}) {

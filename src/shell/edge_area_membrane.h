@@ -17,9 +17,14 @@ class EdgeAreaMembrane {
 
   double energy(const TrianglePoints& x) const;              ///< [J]
   MembraneGradient gradient(const TrianglePoints& x) const;  ///< [N]
-  /// The exact Hessian, or with `projected` a positive semidefinite one: what compressed edges and
-  /// a shrunk area add across their direction is left out.
-  MembraneHessian hessian(const TrianglePoints& x, bool projected) const;
+  /// The exact Hessian where `strain` is strain(x), or with `projected` a positive semidefinite
+  /// one: what compressed edges and a shrunk area add across their direction is left out.
+  MembraneHessian hessian(const TrianglePoints& x, const MembraneStrain& strain,
+                          bool projected) const;
+  /// |e| / |e_flat| - 1 of the edge opposite each corner, and A_now / A - 1.
+  MembraneStrain strain(const TrianglePoints& x) const;
+  /// The same after a displacement, to first order in it.
+  MembraneStrain strainAfter(const TrianglePoints& x, const TrianglePoints& displacement) const;
   /// Area in space over flat area.
   double areaRatio(const TrianglePoints& x) const;
 

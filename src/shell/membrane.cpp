@@ -18,6 +18,10 @@ Eigen::Matrix2d clampToTension(const Eigen::Matrix2d& s) {
          (s - (mean - radius) * Eigen::Matrix2d::Identity());
 }
 
+Eigen::Matrix2d greenStrain(const Eigen::Matrix<double, 3, 2>& f) {
+  return (f.transpose() * f - Eigen::Matrix2d::Identity()) / 2;
+}
+
 }  // namespace
 
 MembraneElement::MembraneElement(const std::array<Vector2, 3>& flat, const Material& material) {
@@ -35,40 +39,61 @@ MembraneElement::Deformation MembraneElement::deformation(const TrianglePoints& 
   return (x[1] - x[0]) * shape_.row(1) + (x[2] - x[0]) * shape_.row(2);
 }
 
-Eigen::Matrix2d MembraneElement::stress(const Deformation& f) const {
-  const Eigen::Matrix2d strain = (f.transpose() * f - Eigen::Matrix2d::Identity()) / 2;
+Eigen::Matrix2d MembraneElement::stress(const Eigen::Matrix2d& strain) const {
   return lambda_ * strain.trace() * Eigen::Matrix2d::Identity() + 2 * mu_ * strain;
 }
 
 double MembraneElement::energy(const TrianglePoints& x) const {
-  const Deformation f = deformation(x);
-  const Eigen::Matrix2d strain = (f.transpose() * f - Eigen::Matrix2d::Identity()) / 2;
+  const Eigen::Matrix2d strain = greenStrain(deformation(x));
   return lambda_ / 2 * strain.trace() * strain.trace() + mu_ * strain.squaredNorm();
 }
 
 MembraneGradient MembraneElement::gradient(const TrianglePoints& x) const {
   const Deformation f = deformation(x);
-  const Deformation force = f * stress(f);
+  const Deformation force = f * stress(greenStrain(f));
   MembraneGradient gradient;
-  for (int k = 0; k < 3; ++k) gradient.segment<3>(3 * k) = force * shape_.row(k).transpose();
+  gradient.segment<3>(3) = force * shape_.row(1).transpose();
+  gradient.segment<3>(6) = force * shape_.row(2).transpose();
+  gradient.segment<3>(0) = -gradient.segment<3>(3) - gradient.segment<3>(6);
   return gradient;
 }
 
-MembraneHessian MembraneElement::hessian(const TrianglePoints& x, bool projected) const {
+MembraneStrain MembraneElement::strain(const TrianglePoints& x) const {
+  const Eigen::Matrix2d e = greenStrain(deformation(x));
+  return {e(0, 0), e(1, 1), e(0, 1), 0};
+}
+
+MembraneStrain MembraneElement::strainAfter(const TrianglePoints& x,
+                                            const TrianglePoints& displacement) const {
+  const Deformation f = deformation(x), df = deformation(displacement);
+  const Eigen::Matrix2d e = greenStrain(f), turned = f.transpose() * df;
+  return {e(0, 0) + turned(0, 0), e(1, 1) + turned(1, 1),
+          e(0, 1) + (turned(0, 1) + turned(1, 0)) / 2, 0};
+}
+
+// Corners 1 and 2 only: the shape functions' gradients sum to zero, so that the rows and columns of
+// corner 0 are what makes those of the whole vanish.
+MembraneHessian MembraneElement::hessian(const TrianglePoints& x, const MembraneStrain& strain,
+                                         bool projected) const {
   const Deformation f = deformation(x);
-  const Eigen::Matrix2d s = projected ? clampToTension(stress(f)) : stress(f);
-  const Eigen::Matrix3d ff = f * f.transpose();
+  Eigen::Matrix2d e;
+  e << strain[0], strain[2], strain[2], strain[1];
+  const Eigen::Matrix2d s = projected ? clampToTension(stress(e)) : stress(e);
+  const Eigen::Matrix3d ff = mu_ * f * f.transpose();
   const Eigen::Matrix3d fb = f * shape_.transpose();  // column k: F b_k
+  const auto block = [&](int i, int j) -> Eigen::Matrix3d {
+    const Eigen::RowVector2d bi = shape_.row(i), bj = shape_.row(j);
+    Eigen::Matrix3d block = lambda_ * fb.col(i) * fb.col(j).transpose() +
+                            mu_ * fb.col(j) * fb.col(i).transpose() + bi.dot(bj) * ff;
+    block.diagonal().array() += (bi * s).dot(bj);
+    return block;
+  };
+  const Eigen::Matrix3d h11 = block(1, 1), h22 = block(2, 2), h21 = block(2, 1);
+  const Eigen::Matrix3d h10 = -h11 - h21.transpose(), h20 = -h21 - h22;
   MembraneHessian hessian;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const Eigen::RowVector2d bi = shape_.row(i), bj = shape_.row(j);
-      Eigen::Matrix3d block = lambda_ * fb.col(i) * fb.col(j).transpose() +
-                              mu_ * fb.col(j) * fb.col(i).transpose() + mu_ * bi.dot(bj) * ff;
-      block.diagonal().array() += (bi * s).dot(bj);
-      hessian.block<3, 3>(3 * i, 3 * j) = block;
-    }
-  }
+  hessian << -h10 - h20, h10.transpose(), h20.transpose(),  //
+      h10, h11, h21.transpose(),                            //
+      h20, h21, h22;
   return hessian;
 }
 

@@ -11,6 +11,8 @@ namespace shell_origami {
 using TrianglePoints = std::array<Eigen::Vector3d, 3>;
 using MembraneGradient = Eigen::Matrix<double, 9, 1>;
 using MembraneHessian = Eigen::Matrix<double, 9, 9>;
+/// How far a triangle is from its flat shape, in the terms that its energy is a square of.
+using MembraneStrain = Eigen::Vector4d;
 
 /// W = A t (lambda/2 tr(E)^2 + mu E:E) with the Green strain E = (F^T F - I) / 2 of the flat
 /// triangle's map into space and the plane-stress constants lambda = E nu / (1 - nu^2),
@@ -20,18 +22,24 @@ class MembraneElement {
   MembraneElement() = default;
   MembraneElement(const std::array<Vector2, 3>& flat, const Material& material);
 
-  double energy(const TrianglePoints& x) const;                  ///< [J]
-  MembraneGradient gradient(const TrianglePoints& x) const;      ///< [N]
-  /// The exact Hessian, or with `projected` a positive semidefinite one: stress is clamped to
-  /// tension in its geometric part.
-  MembraneHessian hessian(const TrianglePoints& x, bool projected) const;
+  double energy(const TrianglePoints& x) const;              ///< [J]
+  MembraneGradient gradient(const TrianglePoints& x) const;  ///< [N]
+  /// The exact Hessian where `strain` is strain(x), or with `projected` a positive semidefinite
+  /// one: the stress of the strain is clamped to tension in its geometric part.
+  MembraneHessian hessian(const TrianglePoints& x, const MembraneStrain& strain,
+                          bool projected) const;
+  /// E11, E22, E12, 0.
+  MembraneStrain strain(const TrianglePoints& x) const;
+  /// The same after a displacement, to first order in it.
+  MembraneStrain strainAfter(const TrianglePoints& x, const TrianglePoints& displacement) const;
   /// Area in space over flat area.
   double areaRatio(const TrianglePoints& x) const;
 
  private:
   using Deformation = Eigen::Matrix<double, 3, 2>;
   Deformation deformation(const TrianglePoints& x) const;
-  Eigen::Matrix2d stress(const Deformation& f) const;  ///< second Piola-Kirchhoff times A t [N m]
+  /// Second Piola-Kirchhoff times A t [N m].
+  Eigen::Matrix2d stress(const Eigen::Matrix2d& strain) const;
 
   Eigen::Matrix<double, 3, 2> shape_;  ///< gradients of the three shape functions [1/m]
   double lambda_ = 0, mu_ = 0;         ///< times A t [N m]

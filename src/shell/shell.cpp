@@ -1,7 +1,5 @@
 #include "shell/shell.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,6 +15,8 @@ constexpr double kLastAngle = 179.99 * M_PI / 180;
 constexpr double kPartOfRoom = 0.9;
 /// No hinge may turn by more than this in one step of the search.
 constexpr double kLargestTurn = 1;
+/// A hinge this close to rest has a Gauss-Newton Hessian that is right to as many parts [rad].
+constexpr double kNearRest = 1e-3;
 /// A triangle squeezed below this part of its flat area has collapsed.
 constexpr double kCollapsed = 0.05;
 
@@ -29,13 +29,6 @@ bool passedShut(double theta, double before) {
 }
 
 bool jumped(double theta, double before) { return std::abs(theta - before) > 2 * kLargestTurn; }
-
-/// Removes negative eigenvalues.
-HingeHessian project(const HingeHessian& hessian) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(hessian);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() *
-         eigen.eigenvectors().transpose();
-}
 
 }  // namespace
 
@@ -141,7 +134,8 @@ void Shell::foldAngles(const Positions& x, std::vector<double>& angles) const {
   }
 }
 
-double Shell::energy(const Positions& x, const std::vector<double>& angles) const {
+double Shell::energy(const Positions& x, const std::vector<double>& before,
+                     std::vector<double>& angles) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double energy = gravityEnergy(x);
   std::visit(
@@ -154,10 +148,11 @@ double Shell::energy(const Positions& x, const std::vector<double>& angles) cons
       },
       membranes_);
   if (!(energy < kInfinity)) return kInfinity;
+  angles.resize(hinges_.size());
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
-    const double theta = shell_origami::foldAngle(pointsOf(hinges_[j], x));
-    if (passedShut(theta, angles[j]) || jumped(theta, angles[j])) return kInfinity;
-    const double bend = hinges_[j].bend(theta).value;
+    angles[j] = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+    if (passedShut(angles[j], before[j]) || jumped(angles[j], before[j])) return kInfinity;
+    const double bend = hinges_[j].bend(angles[j]).value;
     energy += hinges_[j].stiffness / 2 * bend * bend;
   }
   return energy;
@@ -184,8 +179,47 @@ std::optional<Fault> Shell::findFault(const Positions& x,
   return std::nullopt;
 }
 
+std::optional<Fault> Shell::findJump(const std::vector<double>& before,
+                                     const std::vector<double>& angles) const {
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    if (jumped(angles[j], before[j])) return Fault{"a hinge would jump", hinges_[j].vertices[0]};
+  }
+  return std::nullopt;
+}
+
+void Shell::turns(const Positions& x, std::vector<HingeGradient>& turns) const {
+  turns.resize(hinges_.size());
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    turns[j] = foldAngleGradient(pointsOf(hinges_[j], x));
+  }
+}
+
+void Shell::strains(const Positions& x, std::vector<MembraneStrain>& strains) const {
+  strains.resize(triangles_.size());
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          strains[i] = membranes[i].strain(pointsOf(triangles_[i], x));
+        }
+      },
+      membranes_);
+}
+
+void Shell::strainsAfter(const Positions& x, const Positions& displacement,
+                         std::vector<MembraneStrain>& strains) const {
+  strains.resize(triangles_.size());
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          strains[i] = membranes[i].strainAfter(pointsOf(triangles_[i], x),
+                                                pointsOf(triangles_[i], displacement));
+        }
+      },
+      membranes_);
+}
+
 void Shell::addGradient(const Positions& x, const std::vector<double>& angles,
-                        Positions& gradient) const {
+                        const std::vector<HingeGradient>& turns, Positions& gradient) const {
   gradient.noalias() -= gravity_ * masses_.transpose();
   std::visit(
       [&](const auto& membranes) {
@@ -199,34 +233,47 @@ void Shell::addGradient(const Positions& x, const std::vector<double>& angles,
     const Hinge& hinge = hinges_[j];
     const Bend bend = hinge.bend(angles[j]);
     const double torque = hinge.stiffness * bend.value * bend.first;
-    const HingeGradient g = foldAngleGradient(pointsOf(hinge, x));
-    for (int k = 0; k < 4; ++k) gradient.col(hinge.vertices[k]) += torque * g.segment<3>(3 * k);
+    for (int k = 0; k < 4; ++k) {
+      gradient.col(hinge.vertices[k]) += torque * turns[j].segment<3>(3 * k);
+    }
   }
 }
 
-HingeHessian Shell::hingeHessian(const Hinge& hinge, double theta, const HingePoints& points,
-                                 HessianKind kind) const {
+void Shell::addGradient(const Positions& x, Positions& gradient) const {
+  std::vector<double> angles;
+  std::vector<HingeGradient> turns;
+  foldAngles(x, angles);
+  this->turns(x, turns);
+  addGradient(x, angles, turns, gradient);
+}
+
+bool Shell::nearRest(const Hinge& hinge, double theta) {
+  return std::abs(theta - hinge.rest_angle) < kNearRest;
+}
+
+// psi'' grad(theta) grad(theta)^T; where psi'' is small or negative its convex part stands in.
+RankOne Shell::gaussNewton(const Hinge& hinge, double theta, const HingeGradient& turn) const {
+  const Bend bend = hinge.bend(theta);
+  const double convex = bend.first * bend.first;
+  return {hinge.stiffness * std::max(convex, convex + bend.value * bend.second), turn};
+}
+
+HingeHessian Shell::exactHessian(const Hinge& hinge, double theta, const HingeGradient& turn,
+                                 const HingePoints& points) const {
   const Bend bend = hinge.bend(theta);
   const double first = hinge.stiffness * bend.value * bend.first;
-  const double convex = hinge.stiffness * bend.first * bend.first;
-  const double second = convex + hinge.stiffness * bend.value * bend.second;
-  const HingeGradient g = foldAngleGradient(points);
-  if (kind == HessianKind::kGaussNewton) {
-    // Where psi'' is small or negative its convex part stands in.
-    return std::max(second, convex) * g * g.transpose();
-  }
-  const HingeHessian hessian = first * foldAngleHessian(points) + second * g * g.transpose();
-  return kind == HessianKind::kExact ? hessian : project(hessian);
+  const double second = hinge.stiffness * (bend.first * bend.first + bend.value * bend.second);
+  return first * foldAngleHessian(points) + second * turn * turn.transpose();
 }
 
-double Shell::safeStep(const Positions& x, const std::vector<double>& angles,
+double Shell::safeStep(const std::vector<double>& angles, const std::vector<HingeGradient>& turns,
                        const Positions& step) const {
   double fraction = 1;
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
-    const Hinge& hinge = hinges_[j];
-    const HingeGradient g = foldAngleGradient(pointsOf(hinge, x));
     double turn = 0;
-    for (int k = 0; k < 4; ++k) turn += g.segment<3>(3 * k).dot(step.col(hinge.vertices[k]));
+    for (int k = 0; k < 4; ++k) {
+      turn += turns[j].segment<3>(3 * k).dot(step.col(hinges_[j].vertices[k]));
+    }
     if (std::abs(turn) * fraction > kLargestTurn) fraction = kLargestTurn / std::abs(turn);
     const double room = kPartOfRoom * (kLastAngle - std::copysign(1.0, turn) * angles[j]);
     if (room > 0 && std::abs(turn) * fraction > room) fraction = room / std::abs(turn);

@@ -30,6 +30,12 @@ struct Hinge {
   }
 };
 
+/// factor * vector * vector^T.
+struct RankOne {
+  double factor;
+  const HingeGradient& vector;
+};
+
 /// Why a configuration is none of a paper.
 struct Fault {
   const char* what;
@@ -38,7 +44,7 @@ struct Fault {
 
 enum class HessianKind {
   kGaussNewton,  ///< hinges: rank one, psi'' grad(theta) grad(theta)^T. Positive semidefinite
-  kProjected,    ///< hinges: the full one with negative eigenvalues removed
+  kExactWhereBent,  ///< Gauss-Newton for hinges so near rest that their torque hardly counts
   kExact
 };
 
@@ -69,31 +75,47 @@ class Shell {
   /// Moment of a hinge per metre of it [N*m/m], positive towards a valley.
   double moment(int hinge, double theta) const;
 
-  /// Energy [J] with every fold angle near `angles`, those of a configuration close by (one a
+  /// Energy [J] with every fold angle near `before`, those of a configuration close by (one a
   /// hinge): infinite where a hinge would have passed 180 degrees on the way, or a triangle has
-  /// collapsed.
-  double energy(const Positions& x, const std::vector<double>& angles) const;
+  /// collapsed. Where it is finite `angles` are those at x.
+  double energy(const Positions& x, const std::vector<double>& before,
+                std::vector<double>& angles) const;
   /// What made energy() infinite; nothing where it is not.
   std::optional<Fault> findFault(const Positions& x, const std::vector<double>& angles) const;
+  /// The first hinge that turned further between two configurations than a step may.
+  std::optional<Fault> findJump(const std::vector<double>& before,
+                                const std::vector<double>& angles) const;
   void foldAngles(const Positions& x, std::vector<double>& angles) const;
-  /// Adds dW/dx [N].
+  /// d theta / dx of every hinge.
+  void turns(const Positions& x, std::vector<HingeGradient>& turns) const;
+  /// One a triangle; where a displacement is given, after it, to first order.
+  void strains(const Positions& x, std::vector<MembraneStrain>& strains) const;
+  void strainsAfter(const Positions& x, const Positions& displacement,
+                    std::vector<MembraneStrain>& strains) const;
+  /// Adds dW/dx [N], with the angles and turns at x.
   void addGradient(const Positions& x, const std::vector<double>& angles,
-                   Positions& gradient) const;
+                   const std::vector<HingeGradient>& turns, Positions& gradient) const;
+  void addGradient(const Positions& x, Positions& gradient) const;
   /// Calls sink(i, block) with the 9x9 block of every triangle i, then sink(triangles + j, block)
-  /// with the 12x12 block of every hinge j.
+  /// with the 12x12 block of every hinge j, a HingeHessian or a RankOne. `strains` are those that
+  /// the stress in the geometric stiffness is of.
   template <class Sink>
-  void forEachHessian(const Positions& x, const std::vector<double>& angles, HessianKind kind,
+  void forEachHessian(const Positions& x, const std::vector<double>& angles,
+                      const std::vector<HingeGradient>& turns,
+                      const std::vector<MembraneStrain>& strains, HessianKind kind,
                       Sink&& sink) const;
   /// Largest fraction of `step` in (0, 1] that turns no hinge by more than a radian nor carries
-  /// one past the last angle before 180 degrees.
-  double safeStep(const Positions& x, const std::vector<double>& angles,
+  /// one past the last angle before 180 degrees, by the angles and turns where it starts.
+  double safeStep(const std::vector<double>& angles, const std::vector<HingeGradient>& turns,
                   const Positions& step) const;
 
  private:
   TrianglePoints pointsOf(const Triangle& t, const Positions& x) const;
   HingePoints pointsOf(const Hinge& h, const Positions& x) const;
-  HingeHessian hingeHessian(const Hinge& hinge, double theta, const HingePoints& points,
-                            HessianKind kind) const;
+  static bool nearRest(const Hinge& hinge, double theta);
+  RankOne gaussNewton(const Hinge& hinge, double theta, const HingeGradient& turn) const;
+  HingeHessian exactHessian(const Hinge& hinge, double theta, const HingeGradient& turn,
+                            const HingePoints& points) const;
 
   std::vector<Triangle> triangles_;
   std::variant<std::vector<MembraneElement>, std::vector<EdgeAreaMembrane>> membranes_;
@@ -107,17 +129,27 @@ class Shell {
 
 template <class Sink>
 void Shell::forEachHessian(const Positions& x, const std::vector<double>& angles,
-                           HessianKind kind, Sink&& sink) const {
+                           const std::vector<HingeGradient>& turns,
+                           const std::vector<MembraneStrain>& strains, HessianKind kind,
+                           Sink&& sink) const {
   const int triangle_count = static_cast<int>(triangles_.size());
   std::visit(
       [&](const auto& membranes) {
         for (int i = 0; i < triangle_count; ++i) {
-          sink(i, membranes[i].hessian(pointsOf(triangles_[i], x), kind != HessianKind::kExact));
+          sink(i, membranes[i].hessian(pointsOf(triangles_[i], x), strains[i],
+                                       kind == HessianKind::kGaussNewton));
         }
       },
       membranes_);
   for (int j = 0; j < static_cast<int>(hinges_.size()); ++j) {
-    sink(triangle_count + j, hingeHessian(hinges_[j], angles[j], pointsOf(hinges_[j], x), kind));
+    const bool rank_one =
+        kind == HessianKind::kGaussNewton ||
+        (kind == HessianKind::kExactWhereBent && nearRest(hinges_[j], angles[j]));
+    if (rank_one) {
+      sink(triangle_count + j, gaussNewton(hinges_[j], angles[j], turns[j]));
+    } else {
+      sink(triangle_count + j, exactHessian(hinges_[j], angles[j], turns[j], pointsOf(hinges_[j], x)));
+    }
   }
 }
 

@@ -5,12 +5,24 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+#include <set>
+
 #include <random>
 
 namespace shell_origami {
 namespace {
 
 /// A sheet's Hessian with inertia on its diagonal; every seventh vertex is held.
+template <int Size>
+Eigen::MatrixXd whole(const Eigen::Matrix<double, Size, Size>& block) {
+  return block;
+}
+Eigen::MatrixXd whole(const RankOne& block) {
+  return block.factor * block.vector * block.vector.transpose();
+}
+
 struct System {
   Sheet sheet{triangulateRectangle(0.1, 0.1, 0.02)};
   Shell shell{sheet, {}, Vector3::Zero()};
@@ -31,14 +43,19 @@ struct System {
 
   void fill() {
     std::vector<double> angles;
+    std::vector<HingeGradient> turns;
+    std::vector<MembraneStrain> strains;
     shell.foldAngles(x, angles);
+    shell.turns(x, turns);
+    shell.strains(x, strains);
     dense = Eigen::MatrixXd::Identity(3 * count, 3 * count);
     matrix.setZero();
     for (int i = 0; i < count; ++i) matrix.addToDiagonal(i, 1);
     const int triangles = static_cast<int>(shell.triangles().size());
     shell.forEachHessian(
-        x, angles, HessianKind::kGaussNewton, [&](int stencil, const auto& block) {
-          matrix.add(stencil, block);
+        x, angles, turns, strains, HessianKind::kGaussNewton, [&](int stencil, const auto& given) {
+          matrix.add(stencil, given);
+          const Eigen::MatrixXd block = whole(given);
           const int* corners = stencil < triangles
                                    ? shell.triangles()[stencil].data()
                                    : shell.hinges()[stencil - triangles].vertices.data();
@@ -74,6 +91,39 @@ TEST(Cholesky, SolvesTheSystem) {
   Eigen::VectorXd b = system.dense * expected;
   cholesky.solve(b);
   EXPECT_LT((b - expected).norm(), 1e-7 * expected.norm());
+}
+
+TEST(EliminationOrder, IsAPermutationThatKeepsTheFactorSparse) {
+  const Sheet sheet(triangulateRectangle(0.1, 0.1, 0.005));
+  const Shell shell(sheet, {}, Vector3::Zero());
+  std::vector<int> unknown(sheet.vertexCount());
+  std::iota(unknown.begin(), unknown.end(), 0);
+  const VertexGraph graph(shell, unknown, sheet.vertexCount());
+  const std::vector<int> order = eliminationOrder(graph);
+  std::vector<int> sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(sorted, unknown);
+
+  // Entries of the factor, by eliminating the vertices one after the other.
+  const auto fill = [&](const std::vector<int>& sequence) {
+    std::vector<std::set<int>> above(sequence.size());
+    std::vector<int> place(sequence.size());
+    for (std::size_t i = 0; i < sequence.size(); ++i) place[sequence[i]] = static_cast<int>(i);
+    for (int v = 0; v < graph.size(); ++v) {
+      for (int k = graph.starts[v]; k < graph.starts[v + 1]; ++k) {
+        const auto [i, j] = std::minmax(place[v], place[graph.indices[k]]);
+        above[i].insert(j);
+      }
+    }
+    std::size_t entries = 0;
+    for (const std::set<int>& rows : above) {
+      entries += rows.size();
+      if (rows.empty()) continue;
+      above[*rows.begin()].insert(std::next(rows.begin()), rows.end());
+    }
+    return entries;
+  };
+  EXPECT_LT(static_cast<double>(fill(order)), 0.7 * static_cast<double>(fill(unknown)));
 }
 
 TEST(Cholesky, SaysWhenTheMatrixIsNotPositiveDefinite) {

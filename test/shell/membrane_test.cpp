@@ -40,7 +40,7 @@ TYPED_TEST(MembraneTest, DerivativesMatchFiniteDifferences) {
     const TrianglePoints x = inSpace(stretch);
     const double h = 1e-8;  // a millionth of the triangle's size
     const MembraneGradient gradient = element.gradient(x);
-    const MembraneHessian hessian = element.hessian(x, false);
+    const MembraneHessian hessian = element.hessian(x, element.strain(x), false);
     MembraneGradient numeric;
     MembraneHessian numeric_hessian;
     for (int i = 0; i < 9; ++i) {
@@ -56,10 +56,26 @@ TYPED_TEST(MembraneTest, DerivativesMatchFiniteDifferences) {
 TYPED_TEST(MembraneTest, ProjectedHessianIsPositiveSemidefinite) {
   const TypeParam element(kFlat, {});
   for (const double stretch : kStretches) {
-    const MembraneHessian hessian = element.hessian(inSpace(stretch), true);
+    const TrianglePoints x = inSpace(stretch);
+    const MembraneHessian hessian = element.hessian(x, element.strain(x), true);
     const Eigen::SelfAdjointEigenSolver<MembraneHessian> eigen(hessian);
     EXPECT_GT(eigen.eigenvalues().minCoeff(), -1e-12 * eigen.eigenvalues().maxCoeff()) << stretch;
   }
+}
+
+TYPED_TEST(MembraneTest, StrainAfterADisplacementIsRightToFirstOrder) {
+  const TypeParam element(kFlat, {});
+  const TrianglePoints x = inSpace(1.05);
+  std::vector<double> errors;
+  for (const double size : {1e-4, 1e-5}) {
+    TrianglePoints step, after;
+    for (int k = 0; k < 3; ++k) {
+      step[k] = size * Eigen::Vector3d(1 - k, 0.4 * k, k * k - 1);
+      after[k] = x[k] + step[k];
+    }
+    errors.push_back((element.strainAfter(x, step) - element.strain(after)).norm());
+  }
+  EXPECT_NEAR(errors[0] / errors[1], 100, 5);
 }
 
 TYPED_TEST(MembraneTest, RigidMotionsCostNothing) {

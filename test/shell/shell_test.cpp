@@ -53,40 +53,48 @@ TEST(Shell, GradientAndHessianMatchFiniteDifferences) {
   std::normal_distribution<double> noise(0, 2e-4);
   Positions x = rolled(paper.flat, 8, 0.4);
   x = x.unaryExpr([&](double value) { return value + noise(random); });
-  std::vector<double> angles;
+  std::vector<double> angles, there;
+  std::vector<HingeGradient> turns;
+  std::vector<MembraneStrain> strains;
   shell.foldAngles(x, angles);
+  shell.turns(x, turns);
+  shell.strains(x, strains);
   Positions gradient = Positions::Zero(3, x.cols());
-  shell.addGradient(x, angles, gradient);
+  shell.addGradient(x, angles, turns, gradient);
   Positions direction =
       Positions::Zero(3, x.cols()).unaryExpr([&](double) { return noise(random); });
   direction.normalize();
 
   const double h = 1e-7;
   const double numeric =
-      (shell.energy(x + h * direction, angles) - shell.energy(x - h * direction, angles)) /
+      (shell.energy(x + h * direction, angles, there) -
+       shell.energy(x - h * direction, angles, there)) /
       (2 * h);
   EXPECT_NEAR(gradient.cwiseProduct(direction).sum() / numeric, 1, 1e-6);
 
   // H d by the element blocks against the difference of gradients.
   Positions product = Positions::Zero(3, x.cols());
   const int triangle_count = static_cast<int>(shell.triangles().size());
-  shell.forEachHessian(x, angles, HessianKind::kExact, [&](int stencil, const auto& block) {
-    const int* corners = stencil < triangle_count
-                             ? shell.triangles()[stencil].data()
-                             : shell.hinges()[stencil - triangle_count].vertices.data();
-    const int count = static_cast<int>(block.rows()) / 3;
-    for (int i = 0; i < count; ++i) {
-      for (int j = 0; j < count; ++j) {
-        product.col(corners[i]) +=
-            block.template block<3, 3>(3 * i, 3 * j) * direction.col(corners[j]);
+  const auto sink = [&](int stencil, const auto& block) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(block)>, RankOne>) {
+      FAIL() << "the exact Hessian is not of rank one";
+    } else {
+      const int* corners = stencil < triangle_count
+                               ? shell.triangles()[stencil].data()
+                               : shell.hinges()[stencil - triangle_count].vertices.data();
+      const int count = static_cast<int>(block.rows()) / 3;
+      for (int i = 0; i < count; ++i) {
+        for (int j = 0; j < count; ++j) {
+          product.col(corners[i]) +=
+              block.template block<3, 3>(3 * i, 3 * j) * direction.col(corners[j]);
+        }
       }
     }
-  });
+  };
+  shell.forEachHessian(x, angles, turns, strains, HessianKind::kExact, sink);
   const auto gradientAt = [&](const Positions& at) {
-    std::vector<double> there;
-    shell.foldAngles(at, there);
     Positions g = Positions::Zero(3, at.cols());
-    shell.addGradient(at, there, g);
+    shell.addGradient(at, g);
     return g;
   };
   const Positions difference =
@@ -101,11 +109,12 @@ TEST(Shell, RigidMotionsCostNothingAndMakeNoForce) {
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond(0.5, -0.1, 0.7, 0.4).normalized().toRotationMatrix();
   const Positions x = (turn * paper.flat).colwise() + Vector3(0.1, -0.3, 0.2);
-  std::vector<double> angles;
+  std::vector<double> angles, same;
   shell.foldAngles(x, angles);
   Positions gradient = Positions::Zero(3, x.cols());
-  shell.addGradient(x, angles, gradient);
-  EXPECT_LT(shell.energy(x, angles), 1e-20);
+  shell.addGradient(x, gradient);
+  EXPECT_LT(shell.energy(x, angles, same), 1e-20);
+  EXPECT_EQ(same, angles);
   EXPECT_LT(gradient.norm(), 1e-8);
 }
 
@@ -184,13 +193,17 @@ TEST(Shell, NoStepCarriesAHingeThroughTheHalfTurn) {
     x(2, v) = out * std::sin(theta);
     step(2, v) = -5 * x(2, v);
   }
-  std::vector<double> angles;
+  std::vector<double> angles, there;
+  std::vector<HingeGradient> turns;
   shell.foldAngles(x, angles);
-  EXPECT_TRUE(std::isfinite(shell.energy(x, angles)));
-  EXPECT_FALSE(std::isfinite(shell.energy(x + step, angles)));
-  const double fraction = shell.safeStep(x, angles, step);
+  shell.turns(x, turns);
+  EXPECT_TRUE(std::isfinite(shell.energy(x, angles, there)));
+  EXPECT_FALSE(std::isfinite(shell.energy(x + step, angles, there)));
+  EXPECT_STREQ(shell.findFault(x + step, angles)->what, "a hinge would jump");
+  const double fraction = shell.safeStep(angles, turns, step);
   EXPECT_LT(fraction, 0.5);
-  EXPECT_TRUE(std::isfinite(shell.energy(x + fraction * step, angles)));
+  EXPECT_TRUE(std::isfinite(shell.energy(x + fraction * step, angles, there)));
+  EXPECT_FALSE(shell.findFault(x + fraction * step, angles));
 }
 
 }  // namespace
