@@ -1,5 +1,5 @@
 /// Miura-ori, the waterbomb base and the apple's cone against their closed forms.
-#include "closed_forms.h"
+#include "verify/folding.h"
 
 #include "origami/recipe.h"
 

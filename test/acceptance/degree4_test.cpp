@@ -1,6 +1,6 @@
 /// Flat-foldable vertices of four creases against their closed form: sectors a, b, pi - a, pi - b
 /// between creases 0..3 leave one degree of freedom and two ways to use it.
-#include "closed_forms.h"
+#include "verify/folding.h"
 
 #include <gtest/gtest.h>
 
