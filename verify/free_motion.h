@@ -2,11 +2,15 @@
 /// Paper that nothing drives: the integrator alone, from any start.
 #pragma once
 
-#include "dynamics/newmark.h"
+#include "dynamics/stepper.h"
 
 #include <vector>
 
 namespace shell_origami {
+
+/// So thick and soft that time steps follow its stretching as well as its bending, as they would have
+/// to in paper of which every wave is to be kept.
+Material softBoard();
 
 /// Uncreased paper without gravity or air. It starts with the accelerations that its forces give
 /// it: with others a scheme of second order starts with an error of first order.
@@ -28,7 +32,7 @@ class FreeMotion {
  private:
   Shell shell_;
   Motion motion_;
-  Newmark integrator_;
+  Stepper stepper_;
 };
 
 }  // namespace shell_origami

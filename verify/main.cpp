@@ -18,8 +18,9 @@ int verify(const std::string& folder, bool fast) {
   std::filesystem::create_directories(folder);
   VerificationReport report(folder, fast);
   for (const auto topic :
-       {verifyMomentum, verifyTimeOrder, verifyVibration, verifyCantilever,
-        verifyCylinder, verifyCreaseMoment}) {
+       {verifyDerivatives, verifyMomentum, verifyTimeOrder, verifyVibration, verifyCantilever,
+        verifyCylinder, verifyCreaseMoment, verifyDegree4, verifyMiura, verifyWaterbomb,
+        verifyCone, verifyFlatFolded}) {
     topic(report);
   }
   report.write();

@@ -61,15 +61,6 @@ struct Drift {
   double linear = 0, angular = 0, invariant = 0;  ///< largest, over the sums of sizes
 };
 
-/// A thick sheet so soft that the time steps follow its stretching too, as they would have to in paper
-/// of which every wave is to be kept.
-Material rubber() {
-  Material material;
-  material.youngs_modulus = 2e6;
-  material.thickness = 5e-3;
-  return material;
-}
-
 /// A thrown, spun and bent sheet by Newmark's scheme at (1/4, 1/2). That is the trapezoidal rule, whose
 /// states are half way between those of the implicit midpoint rule, which keeps J = sum m x x v: what
 /// it keeps itself is J half a step on, (x + dt/2 v) x (v + dt/2 a), where sum m x x a = 0.
@@ -86,7 +77,7 @@ Drift momentumDrift(const Sheet& sheet, double time_step, int steps) {
     velocities.col(v) = throw_velocity + spin.cross(Vector3(x.col(v)));
     velocities(2, v) += 0.1 * std::cos(4 * p.x()) * std::cos(3 * p.y());
   }
-  FreeMotion motion(sheet, rubber(), solver, x, velocities);
+  FreeMotion motion(sheet, softBoard(), solver, x, velocities);
   const Eigen::VectorXd& masses = motion.shell().masses();
   const auto linear = [&] { return Vector3(motion.motion().velocities * masses); };
   const auto angular = [&] {

@@ -66,7 +66,7 @@ Eigen::MatrixXd stateAfter(const ClampedSheet& sheet, const Mode& mode, SolverCo
   const Positions flat = flatInSpace(sheet.sheet);
   Positions velocities = Positions::Zero(3, flat.cols());
   velocities.row(2) = speed * mode.deflection;
-  FreeMotion motion(sheet.sheet, strip(), solver, flat, velocities, sheet.held);
+  FreeMotion motion(sheet.sheet, softBoard(), solver, flat, velocities, sheet.held);
   for (int i = 0; i < steps; ++i) motion.step();
   Eigen::MatrixXd state(6, flat.cols());
   state << motion.motion().positions - flat, motion.motion().velocities / mode.angular_frequency;
@@ -78,30 +78,35 @@ Eigen::MatrixXd stateAfter(const ClampedSheet& sheet, const Mode& mode, SolverCo
 void verifyTimeOrder(VerificationReport& report) {
   struct Scheme {
     std::string name;
-    double gamma, order, tolerance;
-    std::string why;
+    IntegratorKind integrator;
+    double gamma;
+    int order, coarsest;
   };
   const ClampedSheet sheet = clampedSheet(0.1, 2, kRows);
-  const Mode mode = slowestMode(sheet, strip());
-  const int coarsest = 32, finest = report.fast() ? 256 : 1024;
-  FigureData figure = report.figure("time_order", {"gamma", "steps_per_period", "difference"});
+  const Mode mode = slowestMode(sheet, softBoard());
+  FigureData figure = report.figure("time_order", {"scheme", "steps_per_period", "difference"});
+  // The explicit scheme is stable only in steps that follow the fastest wave.
   for (const Scheme& scheme :
-       {Scheme{"Newmark, beta = 1/4, gamma = 1/2", 0.5, 2, 0.1, kWhy},
-        Scheme{"Newmark, gamma = 0.6", 0.6, 1, 0.1, kWhy}}) {
+       {Scheme{"Newmark, beta = 1/4, gamma = 1/2", IntegratorKind::kNewmark, 0.5, 2, 32},
+        Scheme{"Newmark, gamma = 0.6", IntegratorKind::kNewmark, 0.6, 1, 64},
+        Scheme{"backward Euler", IntegratorKind::kBackwardEuler, 0.5, 1, 128},
+        Scheme{"symplectic Euler", IntegratorKind::kSymplecticEuler, 0.5, 1, 2048}}) {
     SolverConfig solver;
+    solver.integrator = scheme.integrator;
     solver.gamma = scheme.gamma;
     std::vector<double> differences;
-    Eigen::MatrixXd coarse = stateAfter(sheet, mode, solver, coarsest);
-    for (int steps = 2 * coarsest; steps <= finest; steps *= 2) {
+    const int finest = scheme.coarsest * (report.fast() ? 8 : 32);
+    Eigen::MatrixXd coarse = stateAfter(sheet, mode, solver, scheme.coarsest);
+    for (int steps = 2 * scheme.coarsest; steps <= finest; steps *= 2) {
       const Eigen::MatrixXd fine = stateAfter(sheet, mode, solver, steps);
       const double difference = (fine - coarse).norm() / std::sqrt(fine.cols());
-      figure.row({scheme.gamma, steps / 2 / kPeriods, difference});
+      figure.row(scheme.name, {steps / 2 / kPeriods, difference});
       differences.push_back(difference);
       coarse = fine;
     }
     const std::size_t n = differences.size();
-    report.add({kItem, scheme.name, scheme.order,
-                std::log2(differences[n - 2] / differences[n - 1]), scheme.tolerance, scheme.why});
+    report.add({kItem, scheme.name, static_cast<double>(scheme.order),
+                std::log2(differences[n - 2] / differences[n - 1]), 0.1, kWhy});
   }
 }
 
