@@ -11,7 +11,8 @@ namespace shell_origami {
 namespace {
 
 constexpr int kRows = 4;
-constexpr double kAmplitude = 0.01;  // of the tip over the length
+/// Of the tip over the length: so small that stretching, which goes with its square, does not show.
+constexpr double kAmplitude = 1e-4;
 constexpr double kPeriods = 1.25;
 const std::string kItem = "3 Order in time";
 const std::string kWhy =
