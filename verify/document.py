@@ -30,27 +30,32 @@ def cell(text):
     return text.replace('|', r'\|')
 
 
-def table(rows):
-    yield '| quantity | expected | measured | tolerance | |'
-    yield '| --- | ---: | ---: | ---: | --- |'
-    for row in rows:
-        yield '| %s | %s | %s | %s | %s |' % (
-            cell(row['quantity']), number(row['expected']), number(row['measured']),
-            '%.2g' % float(row['tolerance']), '' if row['holds'] == '1' else '**off**')
-
-
 def reasons(rows):
     """Why the tolerances are what they are, each once."""
-    return ['- ' + why for why in dict.fromkeys(row['why'] for row in rows)]
+    return list(dict.fromkeys(row['why'] for row in rows))
+
+
+def table(rows):
+    yield '| quantity | expected | measured | tolerance | why |'
+    yield '| --- | ---: | ---: | ---: | --- |'
+    for row in rows:
+        measured = number(row['measured'])
+        yield '| %s | %s | %s | %s | %s |' % (
+            cell(row['quantity']), number(row['expected']),
+            measured if row['holds'] == '1' else '**%s: off**' % measured,
+            '%.2g' % float(row['tolerance']), 'abcdef'[reasons(rows).index(row['why'])])
 
 
 def section(item, rows, pictures):
     yield '\n## %s\n' % item
     yield from table(rows)
-    yield '\nTolerances:\n'
-    yield from reasons(rows)
+    yield ''
+    for letter, why in zip('abcdef', reasons(rows)):
+        yield '- %s: %s' % (letter, why)
     for name, caption in pictures:
-        yield '\n![%s](verification/%s.png)\n\n%s' % (name, name, caption)
+        yield '\n![%s](verification/%s.png)' % (name, name)
+        if caption:
+            yield '\n' + caption
 
 
 def main():

@@ -59,6 +59,7 @@ def cantilever_convergence(rows, axes):
         axes.loglog(x, [abs(row['drop_error']) for row in of], ':', color=colour)
     slope(axes, x, [abs(row['endless_drop_error']) for row in of], 2, 'order 2')
     axes.set(xlabel='height of a row of triangles / L', ylabel='error of the tip drop / L')
+    axes.set_ylim(1e-5, None)
     axes.legend()
 
 
@@ -69,9 +70,9 @@ def vibration(rows, axes):
     axes.plot(time, [row['tip'] / amplitude for row in rows], 'o', color=COLOURS[0], markersize=1.5,
               label='tip deflection')
     axes.plot(time, [1e5 * (row['energy'] - 1) for row in rows], color=COLOURS[1], linewidth=0.9,
-              label=r'change of the energy, $10^{-5}$')
+              label=r'energy, change in $10^{-5}$')
     axes.set(xlabel='time / period of the closed form', ylabel='tip / amplitude')
-    axes.legend(loc='lower left', ncol=3)
+    axes.legend(loc='lower left', ncol=3, fontsize=8)
     axes.set_ylim(-1.5, 1.2)
 
 
@@ -169,7 +170,8 @@ FIGURES = [
     ('4 Cantilever under its own weight', cantilever_shape, 'Lines: the heavy elastica. Dots: the '
      'finest mesh, one dot a row of vertices; the first two rows are held.'),
     ('4 Cantilever under its own weight', cantilever_convergence, 'Full lines: extrapolated to '
-     'endless breadth. Dotted: the sheet three times as wide as long, whose free sides curl.'),
+     'endless breadth. Dotted: the sheet three times as wide as long, whose free sides curl, which '
+     'adds to the drop: the error changes its sign on the way.'),
     ('5 Energy of a cylinder', cylinder, 'Directions from the rows of triangles.'),
     ('6 Crease opened by a moment', crease_moment, 'A crease at rest flat.'),
     ('7 Flat-foldable vertex of four creases', degree4, 'Sectors of 110, 50, 70 and 130 degrees.'),
