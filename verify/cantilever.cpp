@@ -19,7 +19,7 @@ constexpr double kNarrow = 1.5, kWide = 3;
 constexpr double kFloor = 5e-4;
 const std::string kItem = "4 Cantilever under its own weight";
 const std::string kWhyTip =
-    "1 % of the length. Of it the mesh takes up to (row / length)^2 times 1.2, the free sides, "
+    "1 % of the length. Of it the mesh takes up to (row / length)^2 times 1.5, the free sides, "
     "which curl, 0.03 %";
 const std::string kWhyOrder =
     "hinges in rows make a chain of second order; 0.35 for meshes whose rows do not halve exactly. "
