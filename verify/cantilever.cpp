@@ -1,0 +1,144 @@
+/// Item 4: a clamped sheet under its own weight against the heavy elastica.
+#include "verify/clamped_sheet.h"
+#include "verify/elastica.h"
+#include "verify/topics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <stdexcept>
+
+namespace shell_origami {
+namespace {
+
+constexpr double kLength = 0.1;  // [m]
+/// Breadths over the length. What the free sides change goes as one over the breadth.
+constexpr double kNarrow = 1.5, kWide = 3;
+/// Below this part of the length that extrapolation is no more exact than the mesh.
+constexpr double kFloor = 5e-4;
+const std::string kItem = "4 Cantilever under its own weight";
+const std::string kWhyTip =
+    "1 % of the length. Of it the mesh takes up to (row / length)^2 times 1.5, the free sides, "
+    "which curl, 0.03 %";
+const std::string kWhyOrder =
+    "hinges in rows make a chain of second order; 0.35 for meshes whose rows do not halve exactly. "
+    "Extrapolated to endless breadth, from breadths 1.5 and 3, which takes the sides' curl away; "
+    "between the finest meshes of which the coarser is off by 0.05 % of the length or more";
+const std::string kWhySmall = "1 %; extrapolated to endless breadth";
+
+/// Where a clamped sheet comes to rest. Lengths are parts of its own.
+struct Hanging {
+  double row = 0;              ///< height of a row of triangles
+  double triangles = 0;
+  std::vector<Vector2> shape;  ///< mean of each row of vertices, from the clamp
+  double drop() const { return -shape.back().y(); }
+  double reach() const { return shape.back().x(); }
+};
+
+/// Swings with critical damping until no point would still move by 1e-5 of the length in a period.
+void comeToRest(Simulation& simulation, double speed) {
+  constexpr int kMostSteps = 1000;
+  do {
+    const StepReport report = simulation.step();
+    if (!report.converged) throw std::runtime_error("the cantilever: " + report.failure);
+    if (simulation.counters().steps > kMostSteps) {
+      throw std::runtime_error("the cantilever does not come to rest");
+    }
+  } while (simulation.velocities().colwise().norm().maxCoeff() > speed);
+}
+
+std::vector<Vector2> meanShape(const ClampedSheet& sheet, const Positions& x) {
+  std::map<long, std::pair<Vector2, int>> rows;  // by flat x [nm]
+  for (int v = 0; v < sheet.sheet.vertexCount(); ++v) {
+    auto& [sum, count] = rows[std::lround(sheet.sheet.flatPositions()[v].x() * 1e9)];
+    if (count++ == 0) sum.setZero();
+    sum += Vector2(x(0, v) - sheet.clamp, x(2, v)) / sheet.length;
+  }
+  std::vector<Vector2> shape;
+  for (const auto& [at, row] : rows) shape.push_back(row.first / row.second);
+  return shape;
+}
+
+Hanging hang(double gamma, int rows, double aspect) {
+  const ClampedSheet sheet = clampedSheet(kLength, aspect, rows);
+  SimulationConfig config;
+  config.material = strip();
+  const double frequency = firstFrequency(config.material, sheet.length);
+  const double speed = std::min(1.0, gamma) * 1e-5 * sheet.length * frequency;
+  config.material.air_damping = 4 * M_PI * frequency;
+  config.gravity.z() = -gamma * config.material.bendingStiffness() /
+                       (config.material.arealDensity() * std::pow(sheet.length, 3));
+  config.solver.gamma = 1;
+  config.solver.time_step = 0.05 / frequency;
+  config.solver.tolerance = speed;
+  Simulation simulation(sheet.sheet, config);
+  simulation.pin(sheet.held);
+  comeToRest(simulation, speed);
+  return {2 * sheet.clamp / sheet.length, static_cast<double>(sheet.sheet.triangles().size()),
+          meanShape(sheet, simulation.positions())};
+}
+
+/// A tip's drop and reach on one mesh, of the wide sheet and extrapolated to endless breadth.
+struct Tip {
+  Hanging wide;
+  double drop, reach;
+
+  Tip(double gamma, int rows) : wide(hang(gamma, rows, kWide)) {
+    const Hanging narrow = hang(gamma, rows, kNarrow);
+    const double part = kNarrow / (kWide - kNarrow);
+    drop = wide.drop() + part * (wide.drop() - narrow.drop());
+    reach = wide.reach() + part * (wide.reach() - narrow.reach());
+  }
+};
+
+/// The order between the finest two meshes of which the coarser one's error can be told.
+double observedOrder(const std::vector<Tip>& meshes, double exact_drop) {
+  double order = 0;
+  for (std::size_t i = 1; i < meshes.size(); ++i) {
+    const double before = std::abs(meshes[i - 1].drop - exact_drop);
+    const double after = std::abs(meshes[i].drop - exact_drop);
+    if (i > 1 && before < kFloor) break;
+    order = std::log(before / after) / std::log(meshes[i - 1].wide.row / meshes[i].wide.row);
+  }
+  return order;
+}
+
+std::string at(double gamma) {
+  char text[32];
+  std::snprintf(text, sizeof text, ", Gamma = %g", gamma);
+  return text;
+}
+
+}  // namespace
+
+void verifyCantilever(VerificationReport& report) {
+  const std::vector<int> levels = report.fast() ? std::vector{4, 8, 16} : std::vector{6, 12, 24, 48};
+  FigureData shapes = report.figure("cantilever_shape", {"gamma", "kind", "x", "z"});
+  FigureData convergence = report.figure(
+      "cantilever_convergence",
+      {"gamma", "row", "triangles", "drop_error", "reach_error", "endless_drop_error"});
+  for (const double gamma : {1.0, 5.0, 10.0, 20.0}) {
+    const std::vector<Vector2> elastica = heavyElastica(gamma);
+    const double drop = -elastica.back().y(), reach = elastica.back().x();
+    std::vector<Tip> meshes;
+    for (int rows : levels) {
+      meshes.emplace_back(gamma, rows);
+      const Tip& tip = meshes.back();
+      convergence.row({gamma, tip.wide.row, tip.wide.triangles, tip.wide.drop() - drop,
+                       tip.wide.reach() - reach, tip.drop - drop});
+    }
+    const Hanging& finest = meshes.back().wide;
+    for (const Vector2& p : elastica) shapes.row({gamma, 0, p.x(), p.y()});
+    for (const Vector2& p : finest.shape) shapes.row({gamma, 1, p.x(), p.y()});
+    report.add({kItem, "tip drop / L" + at(gamma), drop, finest.drop(), 0.01, kWhyTip});
+    report.add({kItem, "tip reach / L" + at(gamma), reach, finest.reach(), 0.01, kWhyTip});
+    report.add({kItem, "order of the tip drop in the mesh" + at(gamma), 2,
+                observedOrder(meshes, drop), 0.35, kWhyOrder});
+  }
+  constexpr double kSmall = 0.01;
+  report.add({kItem, "tip drop / L over Gamma / 8" + at(kSmall), 1,
+              Tip(kSmall, levels[levels.size() - 2]).drop / (kSmall / 8), 0.01, kWhySmall});
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,106 @@
+/// Item 11: paper folded shut but for d lies within O(d) of the sheet reflected in its creases.
+#include "verify/rigid_origami.h"
+#include "verify/topics.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+
+namespace shell_origami {
+namespace {
+
+const std::string kItem = "11 Flat-folded states";
+
+/// Reflection in the line through two points of the plane.
+Eigen::Affine2d reflection(const Vector2& a, const Vector2& b) {
+  const Vector2 along = (b - a).normalized();
+  const Eigen::Matrix2d mirror = 2 * along * along.transpose() - Eigen::Matrix2d::Identity();
+  return Eigen::Translation2d(a) * Eigen::Affine2d(mirror) * Eigen::Translation2d(-a);
+}
+
+/// The sheet with every crease folded shut: from triangle to triangle over an edge the flat sheet
+/// is laid on with the same motion, over a crease with one that is reflected in it.
+Positions foldedFlat(const Sheet& sheet) {
+  const auto& flat = sheet.flatPositions();
+  std::vector<std::vector<const Edge*>> edges_of(sheet.triangles().size());
+  for (const Edge& edge : sheet.edges()) {
+    if (edge.onBorder()) continue;
+    for (int t : edge.triangles) edges_of[t].push_back(&edge);
+  }
+  Positions folded = Positions::Zero(3, sheet.vertexCount());
+  std::vector<bool> reached(sheet.triangles().size(), false);
+  std::queue<std::pair<int, Eigen::Affine2d>> next;
+  next.push({0, Eigen::Affine2d::Identity()});
+  reached[0] = true;
+  while (!next.empty()) {
+    const auto [t, motion] = next.front();
+    next.pop();
+    for (int v : sheet.triangles()[t]) folded.col(v).head<2>() = motion * flat[v];
+    for (const Edge* edge : edges_of[t]) {
+      const int other = edge->triangles[edge->triangles[0] == t];
+      if (reached[other]) continue;
+      reached[other] = true;
+      const auto [a, b] = edge->vertices;
+      next.push({other, edge->crease < 0 ? motion : motion * reflection(flat[a], flat[b])});
+    }
+  }
+  return folded;
+}
+
+/// Largest distance between points of two shapes, one moved rigidly onto the other, over the size
+/// of the sheet.
+double distance(const Positions& shape, const Positions& target, double size) {
+  const Eigen::Affine3d fit(Eigen::umeyama(shape, target, false));
+  return (fit * shape - target).colwise().norm().maxCoeff() / size;
+}
+
+struct Model {
+  std::string name;
+  std::vector<std::pair<std::string, double>> creases;  ///< driven, with their signs
+  std::function<Simulation()> make;
+};
+
+std::vector<Model> models() {
+  const auto recipe = [](const char* name) { return [name] { return fromRecipe(name); }; };
+  const auto vertex = [] {
+    return Simulation(Degree4Vertex{60 * kDegree, 45 * kDegree, false}.sheet(), quasiStatic());
+  };
+  return {{"waterbomb base", {{"diagonal", 1}}, recipe("waterbomb")},
+          {"preliminary base", {{"cross", 1}}, recipe("preliminary")},
+          {"Miura-ori", {{"zigzag_valley", 1}, {"zigzag_mountain", -1}}, recipe("miura")},
+          {"vertex of four creases", {{"rho0", 1}}, vertex}};
+}
+
+}  // namespace
+
+void verifyFlatFolded(VerificationReport& report) {
+  FigureData figure = report.figure("flat_folded", {"model", "d", "distance"});
+  for (const Model& model : models()) {
+    if (report.fast() && model.name == "Miura-ori") continue;
+    Simulation simulation = model.make();
+    const Positions target = foldedFlat(simulation.sheet());
+    std::vector<double> distances;
+    double miss = 0;  // of the crease that is farthest from shut
+    for (const double d : {60.0, 20.0, 10.0, 5.0}) {
+      foldAndRest(simulation, model.creases, (180 - d) * kDegree);
+      miss = 0;
+      for (const CreaseStatus& crease : simulation.creases()) {
+        miss = std::max(miss, M_PI - std::abs(crease.angle));
+      }
+      distances.push_back(distance(simulation.positions(), target, simulation.sheet().size()));
+      figure.row(model.name, {d, distances.back()});
+    }
+    report.add({kItem, model.name + ": distance over the sheet's size, d = 5 degrees", 0,
+                distances.back(), miss,
+                "the angle, in radians, by which the farthest crease misses 180 degrees: no layer "
+                "lies farther than one sheet's size away from where that angle begins"});
+    report.add({kItem, model.name + ": order of that distance in d", 1,
+                std::log2(distances[2] / distances[3]), 0.1,
+                "O(d), from d = 10 and 5 degrees, where d^2 still counts by a tenth of d"});
+  }
+}
+
+}  // namespace shell_origami

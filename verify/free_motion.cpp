@@ -1,0 +1,61 @@
+#include "verify/free_motion.h"
+
+#include <stdexcept>
+
+namespace shell_origami {
+namespace {
+
+/// Nothing rests otherwise and held vertices stay.
+class NoDrive : public Drive {
+ public:
+  explicit NoDrive(const Positions& held) : held_(held) {}
+  void moveTo(double, Shell&, Positions& held) override { held = held_; }
+
+ private:
+  Positions held_;
+};
+
+}  // namespace
+
+Material softBoard() {
+  Material material;
+  material.youngs_modulus = 2e6;
+  material.thickness = 5e-3;
+  return material;
+}
+
+FreeMotion::FreeMotion(const Sheet& sheet, const Material& material, const SolverConfig& solver,
+                       const Positions& positions, const Positions& velocities,
+                       const std::vector<std::int64_t>& held)
+    : shell_(sheet, material, Vector3::Zero()),
+      motion_{positions, velocities, Positions::Zero(3, positions.cols())},
+      stepper_(solver) {
+  std::vector<double> angles;
+  shell_.foldAngles(positions, angles);
+  Positions gradient = Positions::Zero(3, positions.cols());
+  shell_.addGradient(positions, angles, gradient);
+  motion_.accelerations = -gradient * shell_.masses().cwiseInverse().asDiagonal();
+  std::vector<bool> free(positions.cols(), true);
+  for (std::int64_t v : held) {
+    free[v] = false;
+    motion_.velocities.col(v).setZero();
+    motion_.accelerations.col(v).setZero();
+  }
+  stepper_.setTopology(free);
+}
+
+void FreeMotion::step() {
+  NoDrive drive(motion_.positions);
+  const StepReport report = stepper_.step(shell_, 0, drive, motion_);
+  if (report.retries > 0) throw std::runtime_error("a step of free motion had to be cut");
+}
+
+double FreeMotion::kineticEnergy() const {
+  return motion_.velocities.colwise().squaredNorm().dot(shell_.masses().transpose()) / 2;
+}
+
+double FreeMotion::elasticEnergy() const {
+  return shell_.membraneEnergy(motion_.positions) + shell_.bendingEnergy(motion_.positions);
+}
+
+}  // namespace shell_origami
