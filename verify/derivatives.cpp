@@ -113,7 +113,7 @@ DerivativeError compareElement(const std::array<Vector2, 3>& flat, const Materia
                                const TrianglePoints& points, const Dual9& exact) {
   const Element element(flat, material);
   return compare(exact, element.energy(points), element.gradient(points),
-                 element.hessian(points, false));
+                 element.hessian(points, element.strain(points), false));
 }
 
 }  // namespace
@@ -173,14 +173,12 @@ DerivativeError hingeEnergyError(const HingeShape& shape, double theta, double r
   const double factor = crease ? c / 2 * shape.length
                                : material.bendingStiffness() / 6 * shape.length / h;
 
-  std::vector<double> angles;
-  shell.foldAngles(x, angles);
   Positions force = Positions::Zero(3, 4);
-  shell.addGradient(x, angles, force);
+  shell.addGradient(x, force);
   HingeGradient gradient;
   for (int k = 0; k < 4; ++k) gradient.segment<3>(3 * k) = force.col(at[k]);
   HingeHessian hessian;
-  shell.forEachHessian(x, angles, HessianKind::kExact, [&](int, const auto& block) {
+  shell.forEachExactHessian(x, [&](int, const auto& block) {
     if constexpr (std::decay_t<decltype(block)>::RowsAtCompileTime == 12) hessian = block;
   });
   return compare(Dual12(factor) * u * u, shell.bendingEnergy(x), gradient, hessian);

@@ -30,10 +30,8 @@ FreeMotion::FreeMotion(const Sheet& sheet, const Material& material, const Solve
     : shell_(sheet, material, Vector3::Zero()),
       motion_{positions, velocities, Positions::Zero(3, positions.cols())},
       stepper_(solver) {
-  std::vector<double> angles;
-  shell_.foldAngles(positions, angles);
   Positions gradient = Positions::Zero(3, positions.cols());
-  shell_.addGradient(positions, angles, gradient);
+  shell_.addGradient(positions, gradient);
   motion_.accelerations = -gradient * shell_.masses().cwiseInverse().asDiagonal();
   std::vector<bool> free(positions.cols(), true);
   for (std::int64_t v : held) {

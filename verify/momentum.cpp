@@ -43,10 +43,8 @@ void verifyRigidMotions(VerificationReport& report, const Sheet& sheet) {
   const auto energy = [&shell](const Positions& at) {
     return shell.membraneEnergy(at) + shell.bendingEnergy(at);
   };
-  std::vector<double> angles;
-  shell.foldAngles(x, angles);
   Positions force = Positions::Zero(3, x.cols());
-  shell.addGradient(x, angles, force);
+  shell.addGradient(x, force);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(x.cols());
   const double forces = force.colwise().norm().sum();
   report.add({kItem, "energy of a bent sheet, turned and shifted, over itself, less 1", 0,

@@ -31,9 +31,7 @@ Mode slowestMode(const ClampedSheet& sheet, const Material& material) {
   const Shell shell(sheet.sheet, material, Vector3::Zero());
   const int n = shell.vertexCount(), triangles = static_cast<int>(shell.triangles().size());
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
-  const std::vector<double> flat(shell.hinges().size(), 0);
-  shell.forEachHessian(flatInSpace(sheet.sheet), flat, HessianKind::kExact,
-                       [&](int stencil, const auto& block) {
+  shell.forEachExactHessian(flatInSpace(sheet.sheet), [&](int stencil, const auto& block) {
     const int* at = stencil < triangles ? shell.triangles()[stencil].data()
                                         : shell.hinges()[stencil - triangles].vertices.data();
     const int count = static_cast<int>(block.rows()) / 3;

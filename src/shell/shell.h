@@ -43,9 +43,8 @@ struct Fault {
 };
 
 enum class HessianKind {
-  kGaussNewton,  ///< hinges: rank one, psi'' grad(theta) grad(theta)^T. Positive semidefinite
+  kGaussNewton,     ///< hinges: rank one, psi'' grad(theta) grad(theta)^T. Positive semidefinite
   kExactWhereBent,  ///< Gauss-Newton for hinges so near rest that their torque hardly counts
-  kExact
 };
 
 /// Energies are pure functions of the positions; the rest state is set by the caller.
@@ -104,6 +103,9 @@ class Shell {
                       const std::vector<HingeGradient>& turns,
                       const std::vector<MembraneStrain>& strains, HessianKind kind,
                       Sink&& sink) const;
+  /// The same with the exact blocks, all of them matrices.
+  template <class Sink>
+  void forEachExactHessian(const Positions& x, Sink&& sink) const;
   /// Largest fraction of `step` in (0, 1] that turns no hinge by more than a radian nor carries
   /// one past the last angle before 180 degrees, by the angles and turns where it starts.
   double safeStep(const std::vector<double>& angles, const std::vector<HingeGradient>& turns,
@@ -143,13 +145,30 @@ void Shell::forEachHessian(const Positions& x, const std::vector<double>& angles
       membranes_);
   for (int j = 0; j < static_cast<int>(hinges_.size()); ++j) {
     const bool rank_one =
-        kind == HessianKind::kGaussNewton ||
-        (kind == HessianKind::kExactWhereBent && nearRest(hinges_[j], angles[j]));
+        kind == HessianKind::kGaussNewton || nearRest(hinges_[j], angles[j]);
     if (rank_one) {
       sink(triangle_count + j, gaussNewton(hinges_[j], angles[j], turns[j]));
     } else {
       sink(triangle_count + j, exactHessian(hinges_[j], angles[j], turns[j], pointsOf(hinges_[j], x)));
     }
+  }
+}
+
+template <class Sink>
+void Shell::forEachExactHessian(const Positions& x, Sink&& sink) const {
+  const int triangle_count = static_cast<int>(triangles_.size());
+  std::visit(
+      [&](const auto& membranes) {
+        for (int i = 0; i < triangle_count; ++i) {
+          const TrianglePoints points = pointsOf(triangles_[i], x);
+          sink(i, membranes[i].hessian(points, membranes[i].strain(points), false));
+        }
+      },
+      membranes_);
+  for (int j = 0; j < static_cast<int>(hinges_.size()); ++j) {
+    const HingePoints points = pointsOf(hinges_[j], x);
+    sink(triangle_count + j, exactHessian(hinges_[j], shell_origami::foldAngle(points),
+                                          foldAngleGradient(points), points));
   }
 }
 

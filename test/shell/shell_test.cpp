@@ -54,13 +54,9 @@ TEST(Shell, GradientAndHessianMatchFiniteDifferences) {
   Positions x = rolled(paper.flat, 8, 0.4);
   x = x.unaryExpr([&](double value) { return value + noise(random); });
   std::vector<double> angles, there;
-  std::vector<HingeGradient> turns;
-  std::vector<MembraneStrain> strains;
   shell.foldAngles(x, angles);
-  shell.turns(x, turns);
-  shell.strains(x, strains);
   Positions gradient = Positions::Zero(3, x.cols());
-  shell.addGradient(x, angles, turns, gradient);
+  shell.addGradient(x, gradient);
   Positions direction =
       Positions::Zero(3, x.cols()).unaryExpr([&](double) { return noise(random); });
   direction.normalize();
@@ -75,23 +71,18 @@ TEST(Shell, GradientAndHessianMatchFiniteDifferences) {
   // H d by the element blocks against the difference of gradients.
   Positions product = Positions::Zero(3, x.cols());
   const int triangle_count = static_cast<int>(shell.triangles().size());
-  const auto sink = [&](int stencil, const auto& block) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(block)>, RankOne>) {
-      FAIL() << "the exact Hessian is not of rank one";
-    } else {
-      const int* corners = stencil < triangle_count
-                               ? shell.triangles()[stencil].data()
-                               : shell.hinges()[stencil - triangle_count].vertices.data();
-      const int count = static_cast<int>(block.rows()) / 3;
-      for (int i = 0; i < count; ++i) {
-        for (int j = 0; j < count; ++j) {
-          product.col(corners[i]) +=
-              block.template block<3, 3>(3 * i, 3 * j) * direction.col(corners[j]);
-        }
+  shell.forEachExactHessian(x, [&](int stencil, const auto& block) {
+    const int* corners = stencil < triangle_count
+                             ? shell.triangles()[stencil].data()
+                             : shell.hinges()[stencil - triangle_count].vertices.data();
+    const int count = static_cast<int>(block.rows()) / 3;
+    for (int i = 0; i < count; ++i) {
+      for (int j = 0; j < count; ++j) {
+        product.col(corners[i]) +=
+            block.template block<3, 3>(3 * i, 3 * j) * direction.col(corners[j]);
       }
     }
-  };
-  shell.forEachHessian(x, angles, turns, strains, HessianKind::kExact, sink);
+  });
   const auto gradientAt = [&](const Positions& at) {
     Positions g = Positions::Zero(3, at.cols());
     shell.addGradient(at, g);
