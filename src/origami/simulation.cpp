@@ -258,6 +258,7 @@ StepReport Simulation::counted(StepReport report) {
   counters_.newton_iterations += report.newton_iterations;
   counters_.factorizations += report.factorizations;
   counters_.retries += report.retries;
+  counters_.times += report.times;
   return report;
 }
 

@@ -79,6 +79,7 @@ struct Counters {
   std::uint64_t newton_iterations = 0;
   std::uint64_t factorizations = 0;
   std::uint64_t retries = 0;
+  SolverTimes times;
 };
 
 /// An edit the paper took. Fields that a kind does not use are empty.
@@ -129,6 +130,7 @@ class Simulation {
   StepReport settle();
 
   const Sheet& sheet() const { return sheet_; }
+  const Shell& shell() const { return shell_; }
   const SimulationConfig& config() const { return config_; }
   const Positions& positions() const { return motion_.positions; }
   const Positions& velocities() const { return motion_.velocities; }
