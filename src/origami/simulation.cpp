@@ -16,6 +16,8 @@ constexpr double kStiffest = 100;
 /// Slower than these parts of the sheet's size per second (squared), nothing is seen to move.
 constexpr double kSettledSpeed = 0.005;
 constexpr double kSettledAcceleration = 0.1;
+/// Below this part of that the paper is at rest: what still moves is far below the tolerance.
+constexpr double kAtRest = 0.01;
 
 SimulationConfig checked(const SimulationConfig& config) {
   checkConfig(config);
@@ -227,7 +229,9 @@ int Simulation::addVertex(std::int64_t a, std::int64_t b, double fraction) {
   return added.vertex;
 }
 
+/// Every edit ends here. It wakes paper that rests.
 void Simulation::record(EditRecord edit) {
+  resting_ = false;
   edit.step = counters_.steps;
   edit.time = time_;
   edit.revision = sheet_.revision();
@@ -244,6 +248,7 @@ void Simulation::carry(const std::vector<int>& vertices, const Positions& places
     if (!pinned_.count(v)) refuse("vertex ", v, " is not pinned");
   }
   for (std::size_t i = 0; i < vertices.size(); ++i) carried_[vertices[i]] = places.col(i);
+  resting_ = false;
 }
 
 /// Adds to the counters, and to a failure where on the paper it happened.
@@ -263,6 +268,11 @@ StepReport Simulation::counted(StepReport report) {
 }
 
 StepReport Simulation::step() {
+  if (resting_) {
+    ++counters_.steps;
+    time_ += config_.solver.time_step;
+    return {};
+  }
   StepDrive drive(*this);
   const StepReport report =
       counted(stepper_.step(shell_, config_.material.air_damping, drive, motion_));
@@ -276,6 +286,11 @@ StepReport Simulation::step() {
   creases_.creep(time_, config_.solver.time_step, sheet_, shell_, motion_.positions);
   creases_.yield(time_, config_.material, shell_, motion_.positions);
   rest_.yield(config_.material, motion_.positions, shell_);
+  resting_ = !folding() && slowerThan(kAtRest);
+  if (resting_) {
+    motion_.velocities.setZero();
+    motion_.accelerations.setZero();
+  }
   return report;
 }
 
@@ -347,9 +362,15 @@ double Simulation::maxStrain() const {
 
 bool Simulation::folding() const { return creases_.runningAt(time_); }
 
+/// Whether speeds and accelerations are below a part of those that can be seen.
+bool Simulation::slowerThan(double part) const {
+  const double size = part * sheet_.size();
+  return rootMeanSquare(motion_.velocities) < kSettledSpeed * size &&
+         rootMeanSquare(motion_.accelerations) < kSettledAcceleration * size;
+}
+
 bool Simulation::settled() const {
-  return !folding() && rootMeanSquare(motion_.velocities) < kSettledSpeed * sheet_.size() &&
-         rootMeanSquare(motion_.accelerations) < kSettledAcceleration * sheet_.size();
+  return !folding() && slowerThan(1);
 }
 
 }  // namespace shell_origami

@@ -123,7 +123,8 @@ class Simulation {
   void carry(const std::vector<int>& vertices, const Positions& places);
 
   /// Advances by SolverConfig::time_step. A step that does not converge leaves everything as it
-  /// was and says so in the report.
+  /// was and says so in the report. Paper that has come to rest stays there, at no cost, until an
+  /// edit touches it.
   StepReport step();
   /// Goes to equilibrium at once, without time passing, everything at rest where ramps are now. If
   /// there is none (paper that is not pinned falls) it leaves everything as it was and says so.
@@ -158,6 +159,7 @@ class Simulation {
   void topologyChanged();
   void pinsChanged();
   void record(EditRecord edit);
+  bool slowerThan(double part) const;
 
   SimulationConfig config_;
   Sheet sheet_;
@@ -171,6 +173,7 @@ class Simulation {
   Counters counters_;
   std::vector<EditRecord> edits_;
   double time_ = 0;
+  bool resting_ = false;
 };
 
 }  // namespace shell_origami

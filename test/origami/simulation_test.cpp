@@ -97,6 +97,32 @@ TEST(Simulation, SameCallsGiveTheSameBits) {
   EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(double)), 0);
 }
 
+TEST(Simulation, PaperAtRestCostsNothingUntilAnEditTouchesIt) {
+  SimulationConfig config;
+  config.gravity = {0, 0, -9.81};
+  Simulation simulation = square(config);
+  simulation.pin(Region{{{0, 0}, {kSide, 0}, {kSide, 0.03}, {0, 0.03}}});
+  simulation.fold(diagonal(60 * kDegree));
+  for (int i = 0; i < 1200; ++i) ASSERT_TRUE(simulation.step().converged);
+  const Positions rest = simulation.positions();
+  const Counters before = simulation.counters();
+  const double time = simulation.time();
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(simulation.step().converged);
+  EXPECT_EQ(simulation.counters().newton_iterations, before.newton_iterations);
+  EXPECT_EQ(simulation.counters().steps, before.steps + 100);
+  EXPECT_NEAR(simulation.time(), time + 100.0 / 60, 1e-9);
+  EXPECT_EQ(simulation.positions(), rest);
+  // It rests where it is in equilibrium: going there at once hardly moves it.
+  Simulation copy(simulation.sheet(), config, rest, {simulation.creases()[0].rest_angle});
+  copy.pin(Region{{{0, 0}, {kSide, 0}, {kSide, 0.03}, {0, 0.03}}});
+  ASSERT_TRUE(copy.settle().converged);
+  EXPECT_LT((copy.positions() - rest).colwise().norm().maxCoeff(), 1e-4 * kSide);
+  // Let go, it falls.
+  simulation.unpin();
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(simulation.step().converged);
+  EXPECT_LT((simulation.positions() - rest).row(2).maxCoeff(), -0.05);
+}
+
 TEST(Simulation, PinnedVerticesDoNotMoveByABit) {
   SimulationConfig config;
   config.gravity = {0, 0, -9.81};
