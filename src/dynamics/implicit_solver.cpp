@@ -7,12 +7,11 @@
 namespace shell_origami {
 namespace {
 
-/// x with the held vertices where they stand at the end of the step.
-Positions withHeld(const Loading& loading, Positions x) {
+/// Puts the held vertices where they stand at the end of the step.
+void placeHeld(const Loading& loading, Positions& x) {
   for (std::size_t v = 0; v < loading.free.size(); ++v) {
     if (!loading.free[v]) x.col(v) = loading.held.col(v);
   }
-  return x;
 }
 
 }  // namespace
@@ -26,8 +25,9 @@ bool ImplicitSolver::solve(const Loading& loading, const Inertia& inertia, const
     const Timer timer(report.times.symbolic);
     newton_.setTopology(loading.shell, loading.free);
   }
-  const auto minimize = [&](const Positions& start) {
-    x = withHeld(loading, start);
+  const auto minimizeFrom = [&](const Positions& place) {
+    x = place;
+    placeHeld(loading, x);
     const NewtonResult result =
         newton_.minimize(loading.shell, inertia, before, tolerance_ * dt, max_iterations_, x);
     report.newton_iterations += result.iterations;
@@ -38,10 +38,10 @@ bool ImplicitSolver::solve(const Loading& loading, const Inertia& inertia, const
     report.vertex = result.vertex;
     return result;
   };
-  const NewtonResult result = minimize(start);
+  const NewtonResult result = minimizeFrom(start);
   if (result.converged) return true;
   // The start itself may be no paper.
-  return result.iterations == 0 && minimize(before).converged;
+  return result.iterations == 0 && minimizeFrom(before).converged;
 }
 
 }  // namespace shell_origami

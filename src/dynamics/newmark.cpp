@@ -1,7 +1,5 @@
 #include "dynamics/newmark.h"
 
-#include <utility>
-
 namespace shell_origami {
 
 Newmark::Newmark(const SolverConfig& config, ImplicitSolver& solver)
@@ -14,23 +12,23 @@ Newmark::Newmark(const SolverConfig& config, ImplicitSolver& solver)
 // M a' = -dW/dx - c M v' is then the minimum of W + s/2 |x' - anchor|^2_M with
 //   s = (1 + c gamma dt) / (beta dt^2),   anchor = x_pred - (c / s) v_pred.
 bool Newmark::step(const Loading& loading, double dt, Motion& motion, StepReport& report) {
-  const Positions predicted = motion.positions + dt * motion.velocities +
-                              dt * dt * (0.5 - beta_) * motion.accelerations;
-  const Positions velocity = motion.velocities + dt * (1 - gamma_) * motion.accelerations;
-  const double stiffness = (1 + loading.air_damping * gamma_ * dt) / (beta_ * dt * dt);
-  const Inertia inertia{stiffness, predicted - loading.air_damping / stiffness * velocity};
+  predicted_ = motion.positions + dt * motion.velocities +
+               dt * dt * (0.5 - beta_) * motion.accelerations;
+  velocity_ = motion.velocities + dt * (1 - gamma_) * motion.accelerations;
+  const double damping = loading.air_damping;
+  inertia_.stiffness = (1 + damping * gamma_ * dt) / (beta_ * dt * dt);
+  inertia_.anchor = predicted_ - damping / inertia_.stiffness * velocity_;
   // As if the acceleration stayed, which saves half of the iterations against the predictor.
-  const Positions start = predicted + beta_ * dt * dt * motion.accelerations;
-  Positions x;
-  if (!solver_.solve(loading, inertia, start, dt, motion.positions, x, report)) return false;
-  motion.accelerations = (x - predicted) / (beta_ * dt * dt);
-  motion.velocities = velocity + gamma_ * dt * motion.accelerations;
-  for (int v = 0; v < static_cast<int>(x.cols()); ++v) {
+  start_ = predicted_ + beta_ * dt * dt * motion.accelerations;
+  if (!solver_.solve(loading, inertia_, start_, dt, motion.positions, x_, report)) return false;
+  motion.accelerations = (x_ - predicted_) / (beta_ * dt * dt);
+  motion.velocities = velocity_ + gamma_ * dt * motion.accelerations;
+  for (int v = 0; v < static_cast<int>(x_.cols()); ++v) {
     if (loading.free[v]) continue;
-    motion.velocities.col(v) = (x.col(v) - motion.positions.col(v)) / dt;
+    motion.velocities.col(v) = (x_.col(v) - motion.positions.col(v)) / dt;
     motion.accelerations.col(v).setZero();
   }
-  motion.positions = std::move(x);
+  motion.positions.swap(x_);
   return true;
 }
 

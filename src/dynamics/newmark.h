@@ -15,6 +15,9 @@ class Newmark : public Integrator {
  private:
   double beta_, gamma_;
   ImplicitSolver& solver_;
+  // Scratch, kept between steps.
+  Positions predicted_, velocity_, start_, x_;
+  Inertia inertia_;
 };
 
 }  // namespace shell_origami

@@ -55,20 +55,18 @@ Positions flatInSpace(const Sheet& sheet) {
 /// where they go.
 class Simulation::StepDrive : public Drive {
  public:
-  explicit StepDrive(const Simulation& simulation)
-      : simulation_(simulation), start_(simulation.motion_.positions) {}
+  explicit StepDrive(const Simulation& simulation) : simulation_(simulation) {}
 
   void moveTo(double s, Shell& shell, Positions& held) override {
     const double t = simulation_.time_ + s * simulation_.config_.solver.time_step;
     simulation_.creases_.apply(t, shell);
-    for (const auto& [v, place] : simulation_.carried_) {
-      held.col(v) = (1 - s) * start_.col(v) + s * place;
+    for (const auto& [v, way] : simulation_.carried_) {
+      held.col(v) = (1 - s) * way.from + s * way.to;
     }
   }
 
  private:
   const Simulation& simulation_;
-  const Positions start_;
 };
 
 Simulation::Simulation(Sheet sheet, const SimulationConfig& config)
@@ -247,7 +245,9 @@ void Simulation::carry(const std::vector<int>& vertices, const Positions& places
   for (int v : vertices) {
     if (!pinned_.count(v)) refuse("vertex ", v, " is not pinned");
   }
-  for (std::size_t i = 0; i < vertices.size(); ++i) carried_[vertices[i]] = places.col(i);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    carried_[vertices[i]] = {motion_.positions.col(vertices[i]), places.col(i)};
+  }
   resting_ = false;
 }
 

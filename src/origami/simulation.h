@@ -168,7 +168,10 @@ class Simulation {
   CreaseDrive creases_;
   RestShape rest_;
   std::set<int> pinned_;
-  std::map<int, Vector3> carried_;  ///< where pins go within the next step
+  struct Way {
+    Vector3 from, to;
+  };
+  std::map<int, Way> carried_;  ///< of pins within the next step
   Stepper stepper_;
   Counters counters_;
   std::vector<EditRecord> edits_;
