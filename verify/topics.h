@@ -18,5 +18,7 @@ void verifyMiura(VerificationReport& report);         ///< item 8
 void verifyWaterbomb(VerificationReport& report);     ///< item 9
 void verifyCone(VerificationReport& report);          ///< item 10
 void verifyFlatFolded(VerificationReport& report);    ///< item 11
+void verifyIntegrators(VerificationReport& report);   ///< item 12, of our own
+void verifyChoices(VerificationReport& report);       ///< items 13 and 14
 
 }  // namespace shell_origami

@@ -16,7 +16,8 @@ constexpr double kStiffest = 100;
 /// Slower than these parts of the sheet's size per second (squared), nothing is seen to move.
 constexpr double kSettledSpeed = 0.005;
 constexpr double kSettledAcceleration = 0.1;
-/// Below this part of that the paper is at rest: what still moves is far below the tolerance.
+/// Below this part of the solver's tolerance [m/s] paper is at rest: speeds, and what accelerations
+/// add to them within a step.
 constexpr double kAtRest = 0.01;
 
 SimulationConfig checked(const SimulationConfig& config) {
@@ -286,7 +287,7 @@ StepReport Simulation::step() {
   creases_.creep(time_, config_.solver.time_step, sheet_, shell_, motion_.positions);
   creases_.yield(time_, config_.material, shell_, motion_.positions);
   rest_.yield(config_.material, motion_.positions, shell_);
-  resting_ = !folding() && slowerThan(kAtRest);
+  resting_ = atRest();
   if (resting_) {
     motion_.velocities.setZero();
     motion_.accelerations.setZero();
@@ -362,15 +363,15 @@ double Simulation::maxStrain() const {
 
 bool Simulation::folding() const { return creases_.runningAt(time_); }
 
-/// Whether speeds and accelerations are below a part of those that can be seen.
-bool Simulation::slowerThan(double part) const {
-  const double size = part * sheet_.size();
-  return rootMeanSquare(motion_.velocities) < kSettledSpeed * size &&
-         rootMeanSquare(motion_.accelerations) < kSettledAcceleration * size;
+bool Simulation::atRest() const {
+  const double still = kAtRest * config_.solver.tolerance;
+  return !folding() && rootMeanSquare(motion_.velocities) < still &&
+         rootMeanSquare(motion_.accelerations) * config_.solver.time_step < still;
 }
 
 bool Simulation::settled() const {
-  return !folding() && slowerThan(1);
+  return !folding() && rootMeanSquare(motion_.velocities) < kSettledSpeed * sheet_.size() &&
+         rootMeanSquare(motion_.accelerations) < kSettledAcceleration * sheet_.size();
 }
 
 }  // namespace shell_origami

@@ -159,7 +159,7 @@ class Simulation {
   void topologyChanged();
   void pinsChanged();
   void record(EditRecord edit);
-  bool slowerThan(double part) const;
+  bool atRest() const;
 
   SimulationConfig config_;
   Sheet sheet_;
