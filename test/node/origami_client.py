@@ -14,7 +14,7 @@ from shell_origami import msg, srv
 SERVICES = {
     'fold': srv.Fold, 'pin': srv.Pin, 'unpin': srv.Unpin, 'add_vertex': srv.AddVertex,
     'load': srv.Load, 'save': srv.Save, 'step': srv.Step,
-    'pause': Trigger, 'resume': Trigger, 'reset': Trigger,
+    'settle': Trigger, 'pause': Trigger, 'resume': Trigger, 'reset': Trigger,
 }
 
 

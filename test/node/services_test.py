@@ -54,6 +54,18 @@ class ServicesTest(NodeTest):
         self.origami.do('step', steps=90)
         self.assertAlmostEqual(self.origami.state().creases[0].angle, -1.0, delta=0.05)
 
+    def test_settle_goes_to_equilibrium_at_once(self):
+        # A flap of 60 degrees, asked for in no time, is there without time passing.
+        self.origami.do('fold', line=line(0.075, 0, 0.075, SIDE), angle=1.0, duration=0.001)
+        self.origami.do('step', steps=1)
+        before = self.origami.state()
+        self.assertGreater(abs(before.creases[0].angle - 1.0), 0.1)
+        self.origami.do('settle')
+        after = self.origami.state()
+        self.assertTrue(after.settled)
+        self.assertEqual(self.origami.last_edit('settle').step, 1)
+        self.assertAlmostEqual(after.creases[0].angle, 1.0, delta=1e-4)
+
     def test_fold_by_vertices(self):
         a, b = self.vertices_at(0, SIDE)[0], self.vertices_at(SIDE, 0)[0]
         fold = self.origami.do('fold', vertices=[a, b], angle=0.5, duration=0.2, stiffness=0.02)
