@@ -145,7 +145,8 @@ class Simulation {
   double maxStrain() const;
   /// Whether a ramp is still running.
   bool folding() const;
-  /// Whether no ramp runs and speeds and accelerations are too small to see.
+  /// Whether no ramp runs, and speeds (the kinetic energy) and accelerations (the residual force)
+  /// are too small to see.
   bool settled() const;
 
  private:
