@@ -35,8 +35,8 @@ struct Difference {
   }
 };
 
-/// The dog, with folds that end between two steps: whether one that ends upon a step has ended there
-/// is rounding, and the next would begin a whole step sooner or later.
+/// The dog, with folds that end between two steps: whether one that ends upon a step has ended
+/// there is rounding, and the next would begin a whole step sooner or later.
 Recipe dogBetweenSteps(double triangles) {
   Recipe recipe = dog(triangles);
   for (RecipeStep& step : recipe.steps) {

@@ -7,32 +7,30 @@
 
 #include <cholmod.h>
 
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
-#include <utility>
 
 namespace shell_origami {
 namespace {
 
 constexpr int kRepetitions = 15;
 
-/// How CHOLMOD is called.
+/// How CHOLMOD is called, supernodal in any case.
 struct Setting {
   const char* name;
   int vertex_order;  ///< of the graph of vertices, before the matrix is made; natural: none
   int order;         ///< of the matrix, permuted at each factorization; natural: none
-  int supernodal;
   /// Columns up to which supernodes are merged whatever zeros that brings (Common::nrelax).
   std::size_t relax;
 };
 
 constexpr Setting kSettings[] = {
-    {"AMD of the matrix", CHOLMOD_NATURAL, CHOLMOD_AMD, CHOLMOD_SUPERNODAL, 4},
-    {"AMD of the vertices", CHOLMOD_AMD, CHOLMOD_NATURAL, CHOLMOD_SUPERNODAL, 4},
-    {"AMD of the vertices, simplicial", CHOLMOD_AMD, CHOLMOD_NATURAL, CHOLMOD_SIMPLICIAL, 4},
-    {"AMD of the vertices, larger supernodes", CHOLMOD_AMD, CHOLMOD_NATURAL, CHOLMOD_SUPERNODAL, 12},
-    {"METIS of the vertices", CHOLMOD_METIS, CHOLMOD_NATURAL, CHOLMOD_SUPERNODAL, 4},
-    {"METIS of the vertices, larger supernodes", CHOLMOD_METIS, CHOLMOD_NATURAL, CHOLMOD_SUPERNODAL, 12},
+    {"AMD of the matrix", CHOLMOD_NATURAL, CHOLMOD_AMD, 4},
+    {"AMD of the vertices", CHOLMOD_AMD, CHOLMOD_NATURAL, 4},
+    {"AMD of the vertices, larger supernodes", CHOLMOD_AMD, CHOLMOD_NATURAL, 12},
+    {"METIS of the vertices", CHOLMOD_METIS, CHOLMOD_NATURAL, 4},
+    {"METIS of the vertices, larger supernodes", CHOLMOD_METIS, CHOLMOD_NATURAL, 12},
 };
 
 /// A CHOLMOD workspace of its own.
@@ -132,7 +130,7 @@ FactorTimes timed(Numeric&& numeric, Solve&& solve) {
 
 FactorTimes measure(const Setting& setting, const SystemMatrix& matrix) {
   Common common;
-  common.supernodal = setting.supernodal;
+  common.supernodal = CHOLMOD_SUPERNODAL;
   common.method[0].ordering = setting.order;
   common.postorder = setting.order != CHOLMOD_NATURAL;
   common.nrelax[0] = setting.relax;

@@ -35,7 +35,8 @@ void triad(benchmark::State& state) {
     benchmark::ClobberMemory();
   }
   state.counters["GB_per_s"] = benchmark::Counter(
-      3e-9 * sizeof(double) * static_cast<double>(n), benchmark::Counter::kIsIterationInvariantRate);
+      3e-9 * sizeof(double) * static_cast<double>(n),
+      benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(triad)->Unit(benchmark::kMillisecond);
 
