@@ -2,6 +2,8 @@
 
 #include "dynamics/timer.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <fstream>
 #include <numeric>
@@ -12,7 +14,14 @@
 namespace shell_origami {
 namespace {
 
-/// The most memory that the process has had resident so far [MB].
+/// Gives freed memory back to the system and has it measure the peak anew.
+void forgetPeakMemory() {
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+}  // namespace
+
 double peakMemory() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
@@ -22,8 +31,6 @@ double peakMemory() {
   return 0;
 }
 
-}  // namespace
-
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + values.size() / 2;
@@ -32,8 +39,10 @@ double median(std::vector<double> values) {
 }
 
 Run::Run(Recipe recipe)
-    : runner_(std::move(recipe)),
-      simulation_(makeSimulation(runner_.recipe().sheet, runner_.recipe().config)) {}
+    : runner_(std::move(recipe)), simulation_([this] {
+        forgetPeakMemory();
+        return makeSimulation(runner_.recipe().sheet, runner_.recipe().config);
+      }()) {}
 
 bool Run::step() {
   {

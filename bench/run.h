@@ -13,6 +13,9 @@ namespace shell_origami {
 
 double median(std::vector<double> values);
 
+/// The most memory that the process has had resident since the last Run was made [MB].
+double peakMemory();
+
 class Run {
  public:
   explicit Run(Recipe recipe);

@@ -25,9 +25,11 @@ void foldBack(benchmark::State& state) {
   for (auto _ : state) {
     Run run(firstFold(static_cast<double>(state.range(0))));
     while (run.simulation().time() < 0.5) run.step();
+    const double peak_memory = peakMemory();
     const Limit limit = measureLimit(run.simulation());
     while (run.step()) {}
     run.report(state);
+    state.counters["peak_memory_MB"] = peak_memory;  // of the run alone
     state.SetLabel(limit.setting);
     state.counters["limit_numeric_ms"] = 1e3 * limit.best.numeric;
     state.counters["limit_solve_ms"] = 1e3 * limit.best.solve;

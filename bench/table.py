@@ -114,6 +114,9 @@ def figures(benchmarks):
                          tuple(number(b[key]) for key in keys)])
         if name == 'accuracy':
             rows.append(accuracy_row(size, b))
+        if name == 'node':
+            rows.append(['node outside the solver, watched at 30 Hz, dog at %d triangles' % size,
+                         '%.0f %% of %s s' % (100 * b['outside'], number(b['wall_s']))])
         if name.startswith('edit'):
             rows.append(['%s, %d triangles' % (name, size), number(b['real_time']) + ' ms'])
     yield from table(['', ''], rows)
