@@ -20,6 +20,11 @@ void forgetPeakMemory() {
   std::ofstream("/proc/self/clear_refs") << 5;
 }
 
+Simulation measuredSimulation(const Recipe& recipe) {
+  forgetPeakMemory();
+  return makeSimulation(recipe.sheet, recipe.config);
+}
+
 }  // namespace
 
 double peakMemory() {
@@ -39,10 +44,7 @@ double median(std::vector<double> values) {
 }
 
 Run::Run(Recipe recipe)
-    : runner_(std::move(recipe)), simulation_([this] {
-        forgetPeakMemory();
-        return makeSimulation(runner_.recipe().sheet, runner_.recipe().config);
-      }()) {}
+    : runner_(std::move(recipe)), simulation_(measuredSimulation(runner_.recipe())) {}
 
 bool Run::step() {
   {
