@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Measures how much of its time the node spends outside the solver while somebody watches:
    bench/node_share.py BENCH.json
-Folds the dog at 2,000 triangles as fast as the machine can, with a subscriber to what rviz shows and
-30 publications a simulated second, and adds the result to the benchmarks in the file, as `node/2000`.
-Wants a sourced workspace and a free ROS_MASTER_URI."""
+Folds the dog at 2,000 triangles as fast as the machine can, with a subscriber to what rviz shows
+and 30 publications a simulated second, and adds the result to the benchmarks in the file, as
+`node/2000`. Wants a sourced workspace and a free ROS_MASTER_URI."""
 import json
 import os
 import subprocess

@@ -108,7 +108,8 @@ def figures(benchmarks):
                      number(benchmarks['first_fold', 50000]['peak_memory_MB']) + ' MB'])
     for (name, size), b in benchmarks.items():
         if name == 'explicit':
-            keys = ('explicit_over_implicit', 'explicit_s_per_s', 'implicit_s_per_s', 'stable_step_us')
+            keys = ('explicit_over_implicit', 'explicit_s_per_s', 'implicit_s_per_s',
+                    'stable_step_us')
             rows.append(['explicit over implicit cost, %d triangles' % size,
                          '%s (%s against %s s a simulated second, steps of %s us)' %
                          tuple(number(b[key]) for key in keys)])
@@ -129,11 +130,12 @@ def page(run):
 
 HEAD = """# {machine}
 
-Written by `scripts/bench`. A step's parts are means; what is left of the mean is `rest`. The limit is
-one factorization and one solve of the matrix halfway through the dog's first fold by the fastest of
-several settings of CHOLMOD, against which the median step stands; `own` is the solver's own
-factorization. Real time is simulated over wall time. The dog's angles are held against a run with a
-tenth of the time step and a tolerance of 1e-7 m/s.
+Written by `scripts/bench`. A step's parts are means; what is left of the mean is `rest`, and real
+time is simulated over wall time at a time step of 1/60 s. The limit is one factorization and one
+solve of the matrix halfway through the dog's first fold by the fastest of several settings of
+CHOLMOD, against which the median step stands; `own` is the solver's own factorization. Allocations
+are the median step's. The dog's angles are held against a run with a tenth of the time step and a
+tolerance of 1e-7 m/s.
 """
 
 
