@@ -26,6 +26,7 @@ struct SolverTimes {
   double solve = 0;     ///< with a factor
   double search = 0;    ///< energies along a step
 
+  double total() const { return symbolic + assembly + numeric + solve + search; }
   SolverTimes& operator+=(const SolverTimes& other);
 };
 

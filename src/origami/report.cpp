@@ -74,6 +74,7 @@ json makeReport(const Simulation& simulation, const std::string& recipe, double 
           {"vertices", simulation.sheet().vertexCount()},
           {"sim_time", orNull(simulation.time())},
           {"wall_time", orNull(wall_time)},
+          {"solver_time", counters.times.total()},
           {"steps", counters.steps},
           {"newton_iterations", counters.newton_iterations},
           {"factorizations", counters.factorizations},

@@ -71,6 +71,7 @@ TEST_F(Report, holdsTheFiguresOfTheRun) {
   EXPECT_EQ(report["vertices"], simulation_.sheet().vertexCount());
   EXPECT_NEAR(report["sim_time"], 0.1, 1e-12);
   EXPECT_EQ(report["wall_time"], 1.5);
+  EXPECT_GT(report["solver_time"], 0);
   EXPECT_EQ(report["steps"], 6);
   EXPECT_EQ(report["newton_iterations"], simulation_.counters().newton_iterations);
   EXPECT_EQ(report["factorizations"], simulation_.counters().factorizations);

@@ -1,0 +1,80 @@
+#include "bench/allocations.h"
+
+#include <SuiteSparse_config.h>
+
+#include <cerrno>
+#include <cstdlib>
+
+// Defined in the program, these take the place of glibc's in every library; free() needs no other.
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* block, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+}
+
+namespace {
+
+shell_origami::Allocations counted;  // everything that is measured runs in one thread
+
+}  // namespace
+
+extern "C" {
+
+void* malloc(std::size_t size) {
+  ++counted.all;
+  return __libc_malloc(size);
+}
+
+void* calloc(std::size_t count, std::size_t size) {
+  ++counted.all;
+  return __libc_calloc(count, size);
+}
+
+void* realloc(void* block, std::size_t size) {
+  ++counted.all;
+  return __libc_realloc(block, size);
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++counted.all;
+  return __libc_memalign(alignment, size);
+}
+
+int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
+  ++counted.all;
+  *block = __libc_memalign(alignment, size);
+  return *block ? 0 : ENOMEM;
+}
+
+}  // extern "C"
+
+namespace shell_origami {
+namespace {
+
+/// SuiteSparse asks for memory through pointers of its own, which tells CHOLMOD's requests apart.
+const bool installed = [] {
+  SuiteSparse_config.malloc_func = [](std::size_t size) {
+    ++counted.cholmod;
+    return malloc(size);
+  };
+  SuiteSparse_config.calloc_func = [](std::size_t count, std::size_t size) {
+    ++counted.cholmod;
+    return calloc(count, size);
+  };
+  SuiteSparse_config.realloc_func = [](void* block, std::size_t size) {
+    ++counted.cholmod;
+    return realloc(block, size);
+  };
+  return true;
+}();
+
+}  // namespace
+
+Allocations allocations() { return counted; }
+
+Allocations operator-(const Allocations& a, const Allocations& b) {
+  return {a.all - b.all, a.cholmod - b.cholmod};
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,18 @@
+/// \file
+/// How often the heap was asked for memory: linked with this, a program counts.
+#pragma once
+
+#include <cstdint>
+
+namespace shell_origami {
+
+/// Since the program began.
+struct Allocations {
+  std::uint64_t all = 0;
+  std::uint64_t cholmod = 0;  ///< of those, by CHOLMOD
+};
+
+Allocations allocations();
+Allocations operator-(const Allocations& a, const Allocations& b);
+
+}  // namespace shell_origami

@@ -1,0 +1,54 @@
+/// \file
+/// What an edit costs, on the flat sheet and on folded paper.
+#include "bench/scenes.h"
+#include "sheet/fold_line.h"
+#include "sheet/triangulate.h"
+
+#include <benchmark/benchmark.h>
+
+#include <random>
+
+namespace shell_origami {
+namespace {
+
+/// One edge-making edit of a flat sheet: a line between random points.
+void edit(benchmark::State& state) {
+  const SheetSource source = square(static_cast<double>(state.range(0)));
+  const Sheet sheet(triangulateRectangle(source.width, source.height, source.max_edge));
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> along(0, source.width);
+  for (auto _ : state) {
+    state.PauseTiming();
+    Sheet copy = sheet;
+    const Line line{Vector2(along(random), along(random)), Vector2(along(random), along(random))};
+    state.ResumeTiming();
+    makeFoldLine(copy, line);
+  }
+  state.counters["triangles"] = static_cast<double>(sheet.triangles().size());
+}
+BENCHMARK(edit)->Arg(300)->Arg(2000)->Arg(10000)->Unit(benchmark::kMillisecond);
+
+/// An edit on the folded paper of a running simulation, with all that follows from it.
+void editInSimulation(benchmark::State& state) {
+  const Recipe recipe = firstFold(static_cast<double>(state.range(0)));
+  Simulation folded = makeSimulation(recipe.sheet, recipe.config);
+  RecipeRunner runner(recipe);
+  while (folded.time() < 0.5 && runner.update(folded)) folded.step();
+  FoldRequest second;
+  second.where = Line{Vector2(0.01, 0.14), Vector2(0.14, 0.03)};
+  second.angle = 1;
+  for (auto _ : state) {
+    state.PauseTiming();
+    Simulation copy(folded.sheet(), {}, folded.positions(), {1.0});
+    state.ResumeTiming();
+    copy.fold(second);
+  }
+  state.counters["triangles"] = static_cast<double>(folded.sheet().triangles().size());
+}
+BENCHMARK(editInSimulation)
+    ->Name("edit_in_simulation")
+    ->Arg(300)->Arg(2000)->Arg(10000)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace shell_origami

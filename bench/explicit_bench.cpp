@@ -1,0 +1,66 @@
+/// \file
+/// What the implicit scheme is worth: the explicit one on the same paper, at its longest step.
+#include "bench/run.h"
+#include "bench/scenes.h"
+
+#include <benchmark/benchmark.h>
+
+#include <optional>
+#include <stdexcept>
+
+namespace shell_origami {
+namespace {
+
+/// How much of the fold a step has to hold for.
+constexpr double kWatched = 0.02;  // [s]
+/// Where the search for the longest step begins, too long for any paper, and its pace. It comes
+/// from above, where runs are short: they end as soon as the paper comes apart.
+constexpr double kLongest = 2e-5;  // [s]
+constexpr double kPace = 1.05;
+/// Paper that is stretched more than this has come apart.
+constexpr double kStretched = 0.01;
+
+/// Wall time per simulated time of symplectic Euler over the first fold's beginning; nothing where
+/// a step of dt [s] is too long.
+std::optional<double> explicitCost(double triangles, double dt) {
+  Recipe recipe = firstFold(triangles);
+  recipe.config.solver.integrator = IntegratorKind::kSymplecticEuler;
+  recipe.config.solver.time_step = dt;
+  Run run(recipe);
+  while (run.simulation().time() < kWatched) {
+    try {
+      run.step();
+    } catch (const std::runtime_error&) {
+      return std::nullopt;
+    }
+    if (run.simulation().counters().retries > 0) return std::nullopt;
+  }
+  if (run.simulation().maxStrain() > kStretched) return std::nullopt;
+  return run.medianStep() / dt;
+}
+
+void explicitScheme(benchmark::State& state) {
+  const auto triangles = static_cast<double>(state.range(0));
+  for (auto _ : state) {
+    Run implicit(firstFold(triangles));
+    while (implicit.step()) {}
+    const double implicit_cost =
+        implicit.meanStep() / implicit.simulation().config().solver.time_step;
+
+    double dt = kLongest;
+    std::optional<double> cost;
+    while (!(cost = explicitCost(triangles, dt))) dt /= kPace;
+    state.counters["stable_step_us"] = 1e6 * dt;
+    state.counters["explicit_s_per_s"] = *cost;
+    state.counters["implicit_s_per_s"] = implicit_cost;
+    state.counters["explicit_over_implicit"] = *cost / implicit_cost;
+  }
+}
+BENCHMARK(explicitScheme)
+    ->Name("explicit")
+    ->Arg(2000)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace shell_origami

@@ -1,0 +1,27 @@
+/// \file
+/// The least that an implicit step can cost: one factorization of its matrix, and one solve.
+#pragma once
+
+#include "origami/simulation.h"
+
+#include <string>
+
+namespace shell_origami {
+
+struct FactorTimes {
+  double numeric = 0;  ///< factorization [s]
+  double solve = 0;    ///< with the factor [s]
+};
+
+struct Limit {
+  FactorTimes best;         ///< CHOLMOD called directly, by the best of several settings
+  std::string setting;      ///< which one that was
+  FactorTimes own;          ///< by Cholesky, as the solver calls it
+  double flops = 0;         ///< of a factorization in the solver's order
+  double allocations = 0;   ///< from the heap, in a factorization and a solve by Cholesky
+};
+
+/// Of the matrix of a Newmark step with the default beta, where the paper is now. Medians.
+Limit measureLimit(const Simulation& simulation);
+
+}  // namespace shell_origami

@@ -1,0 +1,43 @@
+/// \file
+/// A scene folded from beginning to end, and what that cost.
+#pragma once
+
+#include "bench/allocations.h"
+#include "origami/recipe.h"
+
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+namespace shell_origami {
+
+double median(std::vector<double> values);
+
+/// The most memory that the process has had resident since the last Run was made [MB].
+double peakMemory();
+
+class Run {
+ public:
+  explicit Run(Recipe recipe);
+
+  /// One time step, and the edits due before it. False once the recipe is done.
+  /// \throws std::runtime_error when the step does not hold.
+  bool step();
+
+  const Simulation& simulation() const { return simulation_; }
+  double medianStep() const { return median(step_times_); }  ///< wall time [s]
+  double meanStep() const;                                   ///< wall time [s]
+
+  /// Writes what the run cost so far into the benchmark's counters.
+  void report(benchmark::State& state) const;
+
+ private:
+  RecipeRunner runner_;
+  Simulation simulation_;
+  std::vector<double> step_times_;  ///< wall time of each [s]
+  std::vector<double> allocations_, cholmod_allocations_;  ///< in each step
+  double edit_time_ = 0;  ///< wall time of all [s]
+  std::size_t edits_ = 0;
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,51 @@
+#include "bench/scenes.h"
+
+#include <cmath>
+
+namespace shell_origami {
+namespace {
+
+const std::string kRecipes = RECIPE_FOLDER;
+constexpr double kSide = 0.15;  // [m]
+
+}  // namespace
+
+SheetSource square(double triangles) {
+  SheetSource source;
+  source.width = source.height = kSide;
+  // Equilateral triangles of this edge would be a fifth fewer: most edges are shorter.
+  source.max_edge = 1.1 * kSide * std::sqrt(4 / std::sqrt(3.0) / triangles);
+  return source;
+}
+
+Recipe firstFold(double triangles) {
+  FoldRequest back;
+  back.where = Line{Vector2(0, 0), Vector2(kSide, kSide)};
+  back.angle = -170 * M_PI / 180;
+  Recipe recipe;
+  recipe.name = "first_fold";
+  recipe.sheet = square(triangles);
+  recipe.steps = {FoldStep{{back}, 1.0}, SettleStep{0.2}};
+  return recipe;
+}
+
+Recipe dog(double triangles) {
+  Recipe recipe = loadRecipe(kRecipes + "/dog.yaml");
+  recipe.sheet.max_edge = square(triangles).max_edge;
+  return recipe;
+}
+
+Recipe cantilever(double triangles) {
+  Recipe recipe;
+  recipe.name = "cantilever";
+  recipe.sheet = square(triangles);
+  recipe.config.gravity.z() = -9.81;
+  const double clamp = recipe.sheet.max_edge;
+  const Region side{{{0, 0}, {clamp, 0}, {clamp, kSide}, {0, kSide}}};
+  recipe.steps = {PinStep{side}, SettleStep{2.0}};
+  return recipe;
+}
+
+Recipe miura1000() { return loadRecipe(kRecipes + "/miura_1000.yaml"); }
+
+}  // namespace shell_origami

@@ -1,0 +1,24 @@
+/// \file
+/// Named scenes: recipes, at any fineness of the sheet.
+#pragma once
+
+#include "origami/recipe.h"
+
+namespace shell_origami {
+
+/// A square of 0.15 m in about so many triangles.
+SheetSource square(double triangles);
+
+/// The dog's back alone: a whole diagonal to 170 degrees within a second, and 0.2 s more.
+Recipe firstFold(double triangles);
+
+/// recipes/dog.yaml, the flat sheet in about so many triangles.
+Recipe dog(double triangles);
+
+/// A square held along one side, falling under gravity for two seconds.
+Recipe cantilever(double triangles);
+
+/// recipes/miura_1000.yaml.
+Recipe miura1000();
+
+}  // namespace shell_origami

@@ -1,0 +1,58 @@
+/// \file
+/// What whole scenes cost per step, and the dog's first fold against what its linear algebra alone
+/// would take.
+#include "bench/limit.h"
+#include "bench/run.h"
+#include "bench/scenes.h"
+
+#include <benchmark/benchmark.h>
+
+#include <utility>
+
+namespace shell_origami {
+namespace {
+
+void fold(benchmark::State& state, Recipe recipe) {
+  for (auto _ : state) {
+    Run run(recipe);
+    while (run.step()) {}
+    run.report(state);
+  }
+}
+
+/// Halfway the limit is measured: of the matrix at hand, in the same process, at the same time.
+void foldBack(benchmark::State& state) {
+  for (auto _ : state) {
+    Run run(firstFold(static_cast<double>(state.range(0))));
+    while (run.simulation().time() < 0.5) run.step();
+    const double peak_memory = peakMemory();
+    const Limit limit = measureLimit(run.simulation());
+    while (run.step()) {}
+    run.report(state);
+    state.counters["peak_memory_MB"] = peak_memory;  // of the run alone
+    state.SetLabel(limit.setting);
+    state.counters["limit_numeric_ms"] = 1e3 * limit.best.numeric;
+    state.counters["limit_solve_ms"] = 1e3 * limit.best.solve;
+    state.counters["own_numeric_ms"] = 1e3 * limit.own.numeric;
+    state.counters["own_solve_ms"] = 1e3 * limit.own.solve;
+    state.counters["factorization_allocations"] = limit.allocations;
+    state.counters["factorization_GFlop"] = 1e-9 * limit.flops;
+    state.counters["step_over_limit"] = run.medianStep() / (limit.best.numeric + limit.best.solve);
+  }
+}
+
+void foldDog(benchmark::State& state) { fold(state, dog(static_cast<double>(state.range(0)))); }
+void hang(benchmark::State& state) { fold(state, cantilever(static_cast<double>(state.range(0)))); }
+void foldMiura(benchmark::State& state) { fold(state, miura1000()); }
+
+void once(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Iterations(1)->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK(foldBack)->Name("first_fold")->Arg(300)->Arg(2000)->Arg(10000)->Arg(50000)->Apply(once);
+BENCHMARK(foldDog)->Name("dog")->Arg(300)->Arg(2000)->Arg(10000)->Apply(once);
+BENCHMARK(hang)->Name("cantilever")->Arg(2000)->Apply(once);
+BENCHMARK(foldMiura)->Name("miura_1000")->Apply(once);
+
+}  // namespace
+}  // namespace shell_origami
