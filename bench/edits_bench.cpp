@@ -47,7 +47,9 @@ void editInSimulation(benchmark::State& state) {
 }
 BENCHMARK(editInSimulation)
     ->Name("edit_in_simulation")
-    ->Arg(300)->Arg(2000)->Arg(10000)
+    ->Arg(300)
+    ->Arg(2000)
+    ->Arg(10000)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -43,7 +43,8 @@ void explicitScheme(benchmark::State& state) {
   const auto triangles = static_cast<double>(state.range(0));
   for (auto _ : state) {
     Run implicit(firstFold(triangles));
-    while (implicit.step()) {}
+    while (implicit.step()) {
+    }
     const double implicit_cost =
         implicit.meanStep() / implicit.simulation().config().solver.time_step;
 

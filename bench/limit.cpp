@@ -135,14 +135,14 @@ FactorTimes measure(const Setting& setting, const SystemMatrix& matrix) {
   common.method[0].ordering = setting.order;
   common.postorder = setting.order != CHOLMOD_NATURAL;
   for (std::size_t& columns : common.nrelax) columns *= setting.wider;
-  cholmod_sparse a = view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(),
-                          matrix.values().data());
+  cholmod_sparse a =
+      view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(), matrix.values().data());
   cholmod_factor* factor = cholmod_analyze(&a, &common);
   cholmod_dense* b = cholmod_ones(matrix.size(), 1, CHOLMOD_REAL, &common);
   cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;
-  const FactorTimes times = timed(
-      [&] { return cholmod_factorize(&a, factor, &common) && factor->minor == factor->n; },
-      [&] { cholmod_solve2(CHOLMOD_A, factor, b, nullptr, &x, nullptr, &y, &e, &common); });
+  const FactorTimes times =
+      timed([&] { return cholmod_factorize(&a, factor, &common) && factor->minor == factor->n; },
+            [&] { cholmod_solve2(CHOLMOD_A, factor, b, nullptr, &x, nullptr, &y, &e, &common); });
   for (cholmod_dense* dense : {b, x, y, e}) cholmod_free_dense(&dense, &common);
   cholmod_free_factor(&factor, &common);
   return times;

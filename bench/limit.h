@@ -14,11 +14,11 @@ struct FactorTimes {
 };
 
 struct Limit {
-  FactorTimes best;         ///< CHOLMOD called directly, by the best of several settings
-  std::string setting;      ///< which one that was
-  FactorTimes own;          ///< by Cholesky, as the solver calls it
-  double flops = 0;         ///< of a factorization in the solver's order
-  double allocations = 0;   ///< from the heap, in a factorization and a solve by Cholesky
+  FactorTimes best;        ///< CHOLMOD called directly, by the best of several settings
+  std::string setting;     ///< which one that was
+  FactorTimes own;         ///< by Cholesky, as the solver calls it
+  double flops = 0;        ///< of a factorization in the solver's order
+  double allocations = 0;  ///< from the heap, in a factorization and a solve by Cholesky
 };
 
 /// Of the matrix of a Newmark step with the default beta, where the paper is now. Medians.

@@ -21,8 +21,8 @@ void denseProduct(benchmark::State& state) {
     dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, b.data(), &n, &zero, c.data(), &n);
     benchmark::ClobberMemory();
   }
-  state.counters["GFlop_per_s"] = benchmark::Counter(
-      2e-9 * n * n * n, benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["GFlop_per_s"] =
+      benchmark::Counter(2e-9 * n * n * n, benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(denseProduct)->Name("dgemm")->Unit(benchmark::kMillisecond);
 
@@ -34,9 +34,8 @@ void triad(benchmark::State& state) {
     for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + 3 * c[i];
     benchmark::ClobberMemory();
   }
-  state.counters["GB_per_s"] = benchmark::Counter(
-      3e-9 * sizeof(double) * static_cast<double>(n),
-      benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["GB_per_s"] = benchmark::Counter(3e-9 * sizeof(double) * static_cast<double>(n),
+                                                  benchmark::Counter::kIsIterationInvariantRate);
 }
 BENCHMARK(triad)->Unit(benchmark::kMillisecond);
 

@@ -34,9 +34,9 @@ class Run {
  private:
   RecipeRunner runner_;
   Simulation simulation_;
-  std::vector<double> step_times_;  ///< wall time of each [s]
+  std::vector<double> step_times_;                         ///< wall time of each [s]
   std::vector<double> allocations_, cholmod_allocations_;  ///< in each step
-  double edit_time_ = 0;  ///< wall time of all [s]
+  double edit_time_ = 0;                                   ///< wall time of all [s]
   std::size_t edits_ = 0;
 };
 

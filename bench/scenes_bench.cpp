@@ -15,7 +15,8 @@ namespace {
 void fold(benchmark::State& state, Recipe recipe) {
   for (auto _ : state) {
     Run run(recipe);
-    while (run.step()) {}
+    while (run.step()) {
+    }
     run.report(state);
   }
 }
@@ -27,7 +28,8 @@ void foldBack(benchmark::State& state) {
     while (run.simulation().time() < 0.5) run.step();
     const double peak_memory = peakMemory();
     const Limit limit = measureLimit(run.simulation());
-    while (run.step()) {}
+    while (run.step()) {
+    }
     run.report(state);
     state.counters["peak_memory_MB"] = peak_memory;  // of the run alone
     state.SetLabel(limit.setting);

@@ -29,7 +29,7 @@ const std::string kWhySmall = "1 %; extrapolated to endless breadth";
 
 /// Where a clamped sheet comes to rest. Lengths are parts of its own.
 struct Hanging {
-  double row = 0;              ///< height of a row of triangles
+  double row = 0;  ///< height of a row of triangles
   double triangles = 0;
   std::vector<Vector2> shape;  ///< mean of each row of vertices, from the clamp
   double drop() const { return -shape.back().y(); }
@@ -113,7 +113,8 @@ std::string at(double gamma) {
 }  // namespace
 
 void verifyCantilever(VerificationReport& report) {
-  const std::vector<int> levels = report.fast() ? std::vector{4, 8, 16} : std::vector{6, 12, 24, 48};
+  const std::vector<int> levels =
+      report.fast() ? std::vector{4, 8, 16} : std::vector{6, 12, 24, 48};
   FigureData shapes = report.figure("cantilever_shape", {"gamma", "kind", "x", "z"});
   FigureData convergence = report.figure(
       "cantilever_convergence",

@@ -22,9 +22,9 @@ double stretchEnergy(const Sheet& sheet, MembraneKind kind, double direction) {
   const Eigen::Matrix2d stretch = (1 + e) * along * along.transpose() +
                                   (1 - material.poisson_ratio * e) * across * across.transpose();
   Positions x = Positions::Zero(3, sheet.vertexCount());
-  for (int v = 0; v < sheet.vertexCount(); ++v) x.col(v).head<2>() = stretch * sheet.flatPositions()[v];
-  const double expected =
-      material.youngs_modulus * material.thickness / 2 * e * e * sheet.area();
+  for (int v = 0; v < sheet.vertexCount(); ++v)
+    x.col(v).head<2>() = stretch * sheet.flatPositions()[v];
+  const double expected = material.youngs_modulus * material.thickness / 2 * e * e * sheet.area();
   return shell.membraneEnergy(x) / expected;
 }
 
@@ -65,13 +65,15 @@ void compareMembranes(VerificationReport& report) {
   for (const auto& [name, kind] : membraneNames()) {
     std::vector<double> stiffness;
     for (int k = 0; k < 6; ++k) stiffness.push_back(stretchEnergy(sheet, kind, k * M_PI / 6));
-    table.row(name, {stiffness[0], stiffness[1], stiffness[2], stiffness[3], stiffness[4],
-                     stiffness[5]});
+    table.row(name,
+              {stiffness[0], stiffness[1], stiffness[2], stiffness[3], stiffness[4], stiffness[5]});
     if (kind != MembraneKind::kStVenantKirchhoff) continue;
     double worst = 1;
     for (double s : stiffness) worst = std::abs(s - 1) > std::abs(worst - 1) ? s : worst;
-    report.add({item, "St. Venant-Kirchhoff: energy of a stretch over E t / 2 e^2 A, worst of six directions",
-                1, worst, 1e-5, "the strain, 1e-6, enters to second order"});
+    report.add(
+        {item,
+         "St. Venant-Kirchhoff: energy of a stretch over E t / 2 e^2 A, worst of six directions", 1,
+         worst, 1e-5, "the strain, 1e-6, enters to second order"});
   }
 }
 

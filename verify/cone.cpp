@@ -25,15 +25,16 @@ double foldedSlope(double alpha) {
 
 void verifyCone(VerificationReport& report) {
   FigureData figure = report.figure("cone", {"alpha", "slope", "exact"});
-  for (double degrees = report.fast() ? 15 : 10; degrees <= (report.fast() ? 15 : 30); degrees += 5) {
+  for (double degrees = report.fast() ? 15 : 10; degrees <= (report.fast() ? 15 : 30);
+       degrees += 5) {
     const double exact = coneSlope(degrees * kDegree) / kDegree;
     const double slope = foldedSlope(degrees * kDegree) / kDegree;
     figure.row({degrees, slope, exact});
-    report.add({"10 The apple's cone",
-                "slope [degrees], alpha = " + std::to_string(static_cast<int>(degrees)), exact, slope,
-                2,
-                "2 degrees: the closed form is that of creases folded shut, the creases rest at 176 "
-                "degrees, and the ridge between them is no cone"});
+    report.add(
+        {"10 The apple's cone",
+         "slope [degrees], alpha = " + std::to_string(static_cast<int>(degrees)), exact, slope, 2,
+         "2 degrees: the closed form is that of creases folded shut, the creases rest at 176 "
+         "degrees, and the ridge between them is no cone"});
   }
 }
 

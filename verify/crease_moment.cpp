@@ -14,7 +14,8 @@ namespace {
 constexpr double kSide = 0.1, kFold = 0.05;  // sheet, and where its crease lies across [m]
 const std::string kItem = "6 Crease opened by a moment";
 const std::string kWhy =
-    "both sides are measured where the flap rests, the closed form at the angle of each hinge; what "
+    "both sides are measured where the flap rests, the closed form at the angle of each hinge; "
+    "what "
     "is left is how far the flap still swings";
 
 /// Board that hardly bends, with a paper's crease: only the crease gives way.
@@ -47,8 +48,8 @@ Flap hangFlap(double theta, double max_edge) {
   config.gravity = gravity * Vector3(-std::sin(theta), 0, std::cos(theta));
   // Critical for a flap's moment of inertia rho t l^3 / 3 on the crease's stiffness there.
   const double stiffness = closedForm(theta) / std::tan(theta / 2);
-  const double frequency = std::sqrt(
-      stiffness / (config.material.arealDensity() * std::pow(kFlap, 3) / 3));  // [rad/s]
+  const double frequency =
+      std::sqrt(stiffness / (config.material.arealDensity() * std::pow(kFlap, 3) / 3));  // [rad/s]
   config.material.air_damping = 2 * frequency;
   config.solver.time_step = 0.2 / frequency;
   Sheet sheet(triangulateRectangle(kSide, kSide, max_edge));
@@ -74,8 +75,8 @@ Flap hangFlap(double theta, double max_edge) {
     flap.weight -= shell.masses()[v] * arm.cross(config.gravity).y() / kSide;
   }
   for (int j : shell.creaseHinges()[0]) {
-    flap.by_angles += closedForm(shell.foldAngle(j, simulation.positions())) *
-                      shell.hinges()[j].length / kSide;
+    flap.by_angles +=
+        closedForm(shell.foldAngle(j, simulation.positions())) * shell.hinges()[j].length / kSide;
   }
   return flap;
 }
@@ -89,8 +90,9 @@ void verifyCreaseMoment(VerificationReport& report) {
     const double theta = degrees * M_PI / 180;
     const Flap flap = hangFlap(theta, max_edge);
     figure.row({flap.angle * 180 / M_PI, flap.weight});
-    report.add({kItem, "M / closed form at " + std::to_string(static_cast<int>(degrees)) + " degrees",
-                1, flap.weight / flap.by_angles, 1e-6, kWhy});
+    report.add({kItem,
+                "M / closed form at " + std::to_string(static_cast<int>(degrees)) + " degrees", 1,
+                flap.weight / flap.by_angles, 1e-6, kWhy});
   }
 }
 

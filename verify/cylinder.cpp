@@ -21,8 +21,8 @@ Positions rolled(const Sheet& sheet, double direction) {
   Positions x(3, sheet.vertexCount());
   for (int v = 0; v < sheet.vertexCount(); ++v) {
     const double turn = kCurvature * along.dot(sheet.flatPositions()[v]);
-    const Vector2 at = std::sin(turn) / kCurvature * along +
-                       across.dot(sheet.flatPositions()[v]) * across;
+    const Vector2 at =
+        std::sin(turn) / kCurvature * along + across.dot(sheet.flatPositions()[v]) * across;
     x.col(v) = Vector3(at.x(), at.y(), (1 - std::cos(turn)) / kCurvature);
   }
   return x;

@@ -12,7 +12,8 @@ constexpr double kDuration = 12;  // [s], of a fold to kTarget
 constexpr double kTarget = 170 * kDegree;
 const std::string kItem = "7 Flat-foldable vertex of four creases";
 const std::string kWhy =
-    "a free crease keeps a hundredth of a crease's stiffness and gives way within 0.05 s, while the "
+    "a free crease keeps a hundredth of a crease's stiffness and gives way within 0.05 s, while "
+    "the "
     "panels beside it bend a little";
 
 /// Folds crease 0 and calls watch(creases) after every step.
@@ -58,7 +59,8 @@ void verifyDegree4(VerificationReport& report) {
     strain = std::max(strain, folded.maxStrain());
   }
   const std::string who = std::to_string(count) + " random vertices: largest ";
-  report.add({kItem, who + "error on the way to 170 degrees [degrees]", 0, error / kDegree, 1, kWhy});
+  report.add(
+      {kItem, who + "error on the way to 170 degrees [degrees]", 0, error / kDegree, 1, kWhy});
   report.add({kItem, who + "strain at 170 degrees", 0, strain, 2e-3,
               "panels that fold in their creases alone are not stretched; 0.2 %"});
 }

@@ -151,8 +151,8 @@ DerivativeError foldAngleError(const HingePoints& points) {
 }
 
 DerivativeError hingeEnergyError(const HingeShape& shape, double theta, double rest, bool crease) {
-  const std::vector<Vector2> flat{{0, 0}, {shape.length, 0}, {shape.foot2, shape.height2},
-                                  {shape.foot3, -shape.height3}};
+  const std::vector<Vector2> flat{
+      {0, 0}, {shape.length, 0}, {shape.foot2, shape.height2}, {shape.foot3, -shape.height3}};
   std::vector<Crease> creases;
   if (crease) creases.push_back({0, "crease", {0, 1}});
   const Material material = thick();
@@ -170,8 +170,8 @@ DerivativeError hingeEnergyError(const HingeShape& shape, double theta, double r
       variables<12>(HingePoints{points[at[0]], points[at[1]], points[at[2]], points[at[3]]}));
   const Dual12 u = crease ? creaseDistance(angle, rest) : phiOf(angle) - Dual12(phiOf(rest));
   const double h = (shape.height2 + shape.height3) / 6;
-  const double factor = crease ? c / 2 * shape.length
-                               : material.bendingStiffness() / 6 * shape.length / h;
+  const double factor =
+      crease ? c / 2 * shape.length : material.bendingStiffness() / 6 * shape.length / h;
 
   Positions force = Positions::Zero(3, 4);
   shell.addGradient(x, force);
@@ -185,7 +185,8 @@ DerivativeError hingeEnergyError(const HingeShape& shape, double theta, double r
 }
 
 DerivativeError membraneError(MembraneKind kind, double stretch) {
-  const std::array<Vector2, 3> flat{Vector2(0.01, 0.02), Vector2(0.02, 0.021), Vector2(0.013, 0.03)};
+  const std::array<Vector2, 3> flat{Vector2(0.01, 0.02), Vector2(0.02, 0.021),
+                                    Vector2(0.013, 0.03)};
   TrianglePoints points;
   for (int k = 0; k < 3; ++k) {
     points[k] = {stretch * flat[k].x() + 0.1 * flat[k].y(), flat[k].y() / stretch,
@@ -204,7 +205,8 @@ DerivativeError membraneError(MembraneKind kind, double stretch) {
 void verifyDerivatives(VerificationReport& report) {
   const std::string item = "1 Derivatives";
   const std::string why =
-      "rounding: 1e-16 times the aspect, 100, once for each derivative, and 57 for a hinge one degree "
+      "rounding: 1e-16 times the aspect, 100, once for each derivative, and 57 for a hinge one "
+      "degree "
       "from shut";
   double angle = 0, hinge = 0, crease = 0, membrane = 0;
   for (const HingeShape& shape : hingeShapes()) {
@@ -217,7 +219,8 @@ void verifyDerivatives(VerificationReport& report) {
     }
   }
   for (const double stretch : {0.6, 0.9, 0.999, 1.05, 1.4}) {
-    for (const MembraneKind kind : {MembraneKind::kStVenantKirchhoff, MembraneKind::kDiscreteShells}) {
+    for (const MembraneKind kind :
+         {MembraneKind::kStVenantKirchhoff, MembraneKind::kDiscreteShells}) {
       membrane = std::max(membrane, membraneError(kind, stretch).largest());
     }
   }
@@ -225,7 +228,8 @@ void verifyDerivatives(VerificationReport& report) {
   report.add({item, "fold angle, its gradient and Hessian" + what, 0, angle, 1e-10, why});
   report.add({item, "hinge energy, its gradient and Hessian" + what, 0, hinge, 1e-10, why});
   report.add({item, "crease energy, its gradient and Hessian" + what, 0, crease, 1e-10, why});
-  report.add({item, "membrane energies, gradients and Hessians" + what, 0, membrane, 1e-10, "rounding"});
+  report.add(
+      {item, "membrane energies, gradients and Hessians" + what, 0, membrane, 1e-10, "rounding"});
 }
 
 }  // namespace shell_origami

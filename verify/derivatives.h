@@ -17,8 +17,8 @@ struct DerivativeError {
   double largest() const;
 };
 
-/// A hinge's flat shape: its edge from (0, 0) to (length, 0), and where its wings' apexes stand over
-/// and under it [m].
+/// A hinge's flat shape: its edge from (0, 0) to (length, 0), and where its wings' apexes stand
+/// over and under it [m].
 struct HingeShape {
   double length, foot2, height2, foot3, height3;
 

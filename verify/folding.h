@@ -28,7 +28,8 @@ Simulation fromRecipe(const std::string& name);
 /// \throws std::runtime_error when a step does not converge.
 void stepUntil(Simulation& simulation, double time);
 
-/// Folds creases by name, each by its sign times `angle` [rad], and rests. \throws std::runtime_error
+/// Folds creases by name, each by its sign times `angle` [rad], and rests. \throws
+/// std::runtime_error
 void foldAndRest(Simulation& simulation, const std::vector<std::pair<std::string, double>>& creases,
                  double angle);
 

@@ -8,8 +8,8 @@
 
 namespace shell_origami {
 
-/// So thick and soft that time steps follow its stretching as well as its bending, as they would have
-/// to in paper of which every wave is to be kept.
+/// So thick and soft that time steps follow its stretching as well as its bending, as they would
+/// have to in paper of which every wave is to be kept.
 Material softBoard();
 
 /// Uncreased paper without gravity or air. It starts with the accelerations that its forces give

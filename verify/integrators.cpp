@@ -42,7 +42,8 @@ double stabilityLimit(double max_edge) {
   const Simulation simulation = folding({}, max_edge);
   const Shell& shell = simulation.shell();
   const int triangles = static_cast<int>(shell.triangles().size());
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(3 * shell.vertexCount(), 3 * shell.vertexCount());
+  Eigen::MatrixXd stiffness =
+      Eigen::MatrixXd::Zero(3 * shell.vertexCount(), 3 * shell.vertexCount());
   shell.forEachExactHessian(simulation.positions(), [&](int stencil, const auto& block) {
     const int* at = stencil < triangles ? shell.triangles()[stencil].data()
                                         : shell.hinges()[stencil - triangles].vertices.data();
@@ -61,8 +62,7 @@ double stabilityLimit(double max_edge) {
 
 /// Whether the explicit scheme's rounding errors stay small.
 bool explicitHolds(double time_step, double max_edge) {
-  Simulation simulation =
-      folding(solverOf(IntegratorKind::kSymplecticEuler, time_step), max_edge);
+  Simulation simulation = folding(solverOf(IntegratorKind::kSymplecticEuler, time_step), max_edge);
   for (int i = 0; i < 1000; ++i) {
     const StepReport report = simulation.step();
     if (!report.converged || report.retries > 0) return false;
@@ -115,12 +115,13 @@ void verifyIntegrators(VerificationReport& report) {
               "found by bisection to 1 %; folding stiffens the crease, which is far from the "
               "stiffest mode"});
   if (report.fast()) return;
-  FigureData table = report.figure("integrators", {"name", "largest_step", "step", "cost", "ratio"});
+  FigureData table =
+      report.figure("integrators", {"name", "largest_step", "step", "cost", "ratio"});
   const double newmark = cost(IntegratorKind::kNewmark, 1.0 / 60, max_edge);
   for (const auto& [name, kind] : integratorNames()) {
     const bool is_explicit = kind == IntegratorKind::kSymplecticEuler;
-    const double largest = is_explicit ? largestExplicitStep(max_edge)
-                                       : largestImplicitStep(kind, max_edge);
+    const double largest =
+        is_explicit ? largestExplicitStep(max_edge) : largestImplicitStep(kind, max_edge);
     const double step = is_explicit ? largest : 1.0 / 60;
     const double here = cost(kind, step, max_edge);
     table.row(name, {largest, step, here, here / newmark});

@@ -1,7 +1,7 @@
 /// \file
-/// origami_verify OUT_DIR [--fast]: measures what has a closed form, prints a table and writes it to
-/// OUT_DIR/results.csv, beside one CSV file for each figure. --fast: coarser meshes, fewer samples.
-/// Exits with 1 when a row is outside its tolerance, with 2 when it cannot run.
+/// origami_verify OUT_DIR [--fast]: measures what has a closed form, prints a table and writes it
+/// to OUT_DIR/results.csv, beside one CSV file for each figure. --fast: coarser meshes, fewer
+/// samples. Exits with 1 when a row is outside its tolerance, with 2 when it cannot run.
 #include "verify/topics.h"
 
 #include <algorithm>
@@ -19,9 +19,8 @@ int verify(const std::string& folder, bool fast) {
   VerificationReport report(folder, fast);
   for (const auto topic :
        {verifyDerivatives, verifyMomentum, verifyTimeOrder, verifyVibration, verifyCantilever,
-        verifyCylinder, verifyCreaseMoment, verifyDegree4, verifyMiura, verifyWaterbomb,
-        verifyCone, verifyFlatFolded, verifyIntegrators,
-        verifyChoices}) {
+        verifyCylinder, verifyCreaseMoment, verifyDegree4, verifyMiura, verifyWaterbomb, verifyCone,
+        verifyFlatFolded, verifyIntegrators, verifyChoices}) {
     topic(report);
   }
   report.write();

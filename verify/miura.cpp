@@ -18,7 +18,8 @@ const std::string kWhyForm =
 double distance(const Simulation& simulation, const Vector2& a, const Vector2& b) {
   const Sheet& sheet = simulation.sheet();
   return (simulation.positions().col(sheet.nearestVertex(a)) -
-          simulation.positions().col(sheet.nearestVertex(b))).norm();
+          simulation.positions().col(sheet.nearestVertex(b)))
+      .norm();
 }
 
 /// Largest relative error of a fold angle.
@@ -39,7 +40,8 @@ void verifyMiura(VerificationReport& report) {
   double angles = 0, lengths = 0, widths = 0;
   Simulation simulation = fromRecipe("miura");
   const double across = kPanels * kPanel * std::sin(kAcute);
-  for (double degrees = report.fast() ? 45 : 15; degrees <= 150; degrees += report.fast() ? 45 : 15) {
+  for (double degrees = report.fast() ? 45 : 15; degrees <= 150;
+       degrees += report.fast() ? 45 : 15) {
     foldAndRest(simulation, {{"zigzag_valley", 1}, {"zigzag_mountain", -1}}, degrees * kDegree);
     const Miura exact{kPanel, kPanel, kAcute, degrees * kDegree / 2};
     const double length = distance(simulation, {0, 0}, {kPanels * kPanel, 0}) / kPanels;

@@ -59,9 +59,9 @@ struct Drift {
   double linear = 0, angular = 0, invariant = 0;  ///< largest, over the sums of sizes
 };
 
-/// A thrown, spun and bent sheet by Newmark's scheme at (1/4, 1/2). That is the trapezoidal rule, whose
-/// states are half way between those of the implicit midpoint rule, which keeps J = sum m x x v: what
-/// it keeps itself is J half a step on, (x + dt/2 v) x (v + dt/2 a), where sum m x x a = 0.
+/// A thrown, spun and bent sheet by Newmark's scheme at (1/4, 1/2). That is the trapezoidal rule,
+/// whose states are half way between those of the implicit midpoint rule, which keeps J = sum m x x
+/// v: what it keeps itself is J half a step on, (x + dt/2 v) x (v + dt/2 a), where sum m x x a = 0.
 Drift momentumDrift(const Sheet& sheet, double time_step, int steps) {
   SolverConfig solver;
   solver.gamma = 0.5;

@@ -26,8 +26,8 @@ struct Degree4Vertex {
 
 /// Vertices, every other one twisted, the same ones each time. Sectors have 35 to 145 degrees, so
 /// that triangles fit in. At a = b a twisted vertex's crease 1 shuts while crease 0 stays flat, at
-/// a + b = 180 degrees an untwisted one's crease 1 stays flat: within 20 degrees of either, the angles
-/// hang on a ratio near 0 or infinity.
+/// a + b = 180 degrees an untwisted one's crease 1 stays flat: within 20 degrees of either, the
+/// angles hang on a ratio near 0 or infinity.
 std::vector<Degree4Vertex> randomDegree4Vertices(int count);
 
 /// Miura-ori with panels of sides a, b and acute angle q, folded by g (Schenk & Guest 2013).
@@ -52,8 +52,8 @@ double coneSlope(double alpha);
 /// A disc with such a pair of creases, rho0 and rho1, about the direction of y.
 Sheet coneSheet(double alpha, double radius, double max_edge);
 
-/// Slope of the border's points seen from the center, about the axis of the cone that fits them best,
-/// without those near the creases.
+/// Slope of the border's points seen from the center, about the axis of the cone that fits them
+/// best, without those near the creases.
 double measuredConeSlope(const Simulation& simulation, double alpha, double radius);
 
 }  // namespace shell_origami

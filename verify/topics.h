@@ -1,5 +1,6 @@
 /// \file
-/// One function for each closed form. Each adds its rows to the report and writes its figures' data.
+/// One function for each closed form. Each adds its rows to the report and writes its figures'
+/// data.
 #pragma once
 
 #include "verify/report.h"

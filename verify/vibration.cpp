@@ -9,9 +9,9 @@
 namespace shell_origami {
 namespace {
 
-constexpr double kLength = 0.1;       // [m]
+constexpr double kLength = 0.1;  // [m]
 constexpr double kAspect = 3;
-constexpr double kAmplitude = 0.01;   // of the tip over the length
+constexpr double kAmplitude = 0.01;  // of the tip over the length
 constexpr int kStepsPerPeriod = 100;
 const std::string kFrequency = "4 First frequency of a cantilever";
 const std::string kEnergy = "3 Energy of a free vibration";
@@ -86,7 +86,8 @@ void verifyVibration(VerificationReport& report) {
   }
   report.add({kFrequency, "frequency over .55959 sqrt(B / (rho t L^4))", 1,
               result.frequency() / exact, 0.01,
-              "1 %; the free sides, which curl, take 1.1 % of the length over the breadth, 0.36 %, the mesh "
+              "1 %; the free sides, which curl, take 1.1 % of the length over the breadth, 0.36 %, "
+              "the mesh "
               "up to (row / length)^2 / 2, the time step (omega dt)^2 / 24, 0.02 %"});
   report.add({kEnergy, "largest drift of the energy over " + std::to_string(steps) + " steps", 0,
               drift, 1e-3, "0.1 %; the trapezoidal rule keeps a linear system's energy"});

@@ -8,8 +8,7 @@ namespace shell_origami {
 bool BackwardEuler::step(const Loading& loading, double dt, Motion& motion, StepReport& report) {
   const Positions predicted = motion.positions + dt * motion.velocities;
   const double damped = 1 + loading.air_damping * dt;
-  const Inertia inertia{damped / (dt * dt),
-                        motion.positions + dt / damped * motion.velocities};
+  const Inertia inertia{damped / (dt * dt), motion.positions + dt / damped * motion.velocities};
   Positions x;
   if (!solver_.solve(loading, inertia, predicted, dt, motion.positions, x, report)) return false;
   const Positions velocity = (x - motion.positions) / dt;

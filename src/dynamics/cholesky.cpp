@@ -15,9 +15,9 @@ namespace {
 /// Nested dissection pays above this many vertices, minimum degree below: at 10,000 triangles the
 /// factorization takes three quarters of the time.
 constexpr int kDissectionVertices = 500;
-/// Columns below which supernodes are merged whatever the zeros, and sparingly: three times CHOLMOD's
-/// own. Sheets have many small supernodes, and merging them saves a quarter of the factorization at
-/// 300 triangles, a tenth at 10,000.
+/// Columns below which supernodes are merged whatever the zeros, and sparingly: three times
+/// CHOLMOD's own. Sheets have many small supernodes, and merging them saves a quarter of the
+/// factorization at 300 triangles, a tenth at 10,000.
 constexpr std::size_t kMergedColumns[] = {12, 48, 144};
 
 /// CHOLMOD's view of compressed columns that live elsewhere.
@@ -73,8 +73,7 @@ std::vector<int> eliminationOrder(const VertexGraph& graph) {
   cholmod_start(&common);
   common.print = 0;
   common.nmethods = 1;
-  common.method[0].ordering =
-      graph.size() > kDissectionVertices ? CHOLMOD_METIS : CHOLMOD_AMD;
+  common.method[0].ordering = graph.size() > kDissectionVertices ? CHOLMOD_METIS : CHOLMOD_AMD;
   common.postorder = true;
   cholmod_sparse pattern = view(graph.size(), graph.starts, graph.indices, nullptr);
   cholmod_factor* factor = cholmod_analyze(&pattern, &common);
@@ -97,18 +96,17 @@ Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 void Cholesky::analyze(const SystemMatrix& matrix) {
   Implementation& own = *implementation_;
   cholmod_free_factor(&own.factor, &own.common);
-  cholmod_sparse a = view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(),
-                          matrix.values().data());
+  cholmod_sparse a =
+      view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(), matrix.values().data());
   own.factor = cholmod_analyze(&a, &own.common);
   if (!own.factor) throw std::runtime_error("CHOLMOD could not analyze the system matrix");
 }
 
 bool Cholesky::factorize(const SystemMatrix& matrix) {
   Implementation& own = *implementation_;
-  cholmod_sparse a = view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(),
-                          matrix.values().data());
-  return cholmod_factorize(&a, own.factor, &own.common) &&
-         own.factor->minor == own.factor->n;
+  cholmod_sparse a =
+      view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(), matrix.values().data());
+  return cholmod_factorize(&a, own.factor, &own.common) && own.factor->minor == own.factor->n;
 }
 
 void Cholesky::solve(Eigen::VectorXd& b) {

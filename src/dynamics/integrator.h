@@ -38,11 +38,11 @@ struct StepReport {
   bool converged = true;
   int newton_iterations = 0;
   int factorizations = 0;
-  int retries = 0;          ///< times a step was cut in two
-  double residual = 0;      ///< last Newton step over the time step [m/s]
-  SolverTimes times;        ///< of implicit schemes
-  std::string failure;      ///< why it did not converge
-  int vertex = -1;          ///< where it did not; -1: everywhere
+  int retries = 0;      ///< times a step was cut in two
+  double residual = 0;  ///< last Newton step over the time step [m/s]
+  SolverTimes times;    ///< of implicit schemes
+  std::string failure;  ///< why it did not converge
+  int vertex = -1;      ///< where it did not; -1: everywhere
 };
 
 /// What moves the paper during a step.

@@ -12,8 +12,8 @@ Newmark::Newmark(const SolverConfig& config, ImplicitSolver& solver)
 // M a' = -dW/dx - c M v' is then the minimum of W + s/2 |x' - anchor|^2_M with
 //   s = (1 + c gamma dt) / (beta dt^2),   anchor = x_pred - (c / s) v_pred.
 bool Newmark::step(const Loading& loading, double dt, Motion& motion, StepReport& report) {
-  predicted_ = motion.positions + dt * motion.velocities +
-               dt * dt * (0.5 - beta_) * motion.accelerations;
+  predicted_ =
+      motion.positions + dt * motion.velocities + dt * dt * (0.5 - beta_) * motion.accelerations;
   velocity_ = motion.velocities + dt * (1 - gamma_) * motion.accelerations;
   const double damping = loading.air_damping;
   inertia_.stiffness = (1 + damping * gamma_ * dt) / (beta_ * dt * dt);

@@ -84,9 +84,9 @@ bool Newton::assembleAndFactorize(const Shell& shell, const Inertia& inertia, co
   return cholesky_.factorize(matrix_);
 }
 
-/// The exact Hessian where the paper is bent, which the inertia mostly makes positive definite, and where it is not the
-/// Gauss-Newton one: without its negative parts a Hessian converges slowly, where paper is about to
-/// buckle not for hundreds of iterations.
+/// The exact Hessian where the paper is bent, which the inertia mostly makes positive definite, and
+/// where it is not the Gauss-Newton one: without its negative parts a Hessian converges slowly,
+/// where paper is about to buckle not for hundreds of iterations.
 bool Newton::factorize(const Shell& shell, const Inertia& inertia, const Positions& x,
                        NewtonResult& result) {
   factorized_ = assembleAndFactorize(shell, inertia, x, HessianKind::kExactWhereBent, result) ||
@@ -181,8 +181,8 @@ NewtonResult Newton::minimize(const Shell& shell, const Inertia& inertia, const 
   bool uphill = false;  // x is one step beyond the base, and higher
   while (!result.converged) {
     if (result.iterations == max_iterations) {
-      result.failure = "Newton's method did not converge in " + std::to_string(max_iterations) +
-                       " iterations";
+      result.failure =
+          "Newton's method did not converge in " + std::to_string(max_iterations) + " iterations";
       return result;
     }
     if (!computeStep(shell, inertia, x, result)) {

@@ -67,8 +67,7 @@ StepReport Stepper::step(Shell& shell, double air_damping, Drive& drive, Motion&
   return report;
 }
 
-StepReport Stepper::relax(Shell& shell,
-                          const std::function<void(Shell&, const Positions&)>& adapt,
+StepReport Stepper::relax(Shell& shell, const std::function<void(Shell&, const Positions&)>& adapt,
                           Motion& motion) {
   StepReport report;
   const Positions start = motion.positions;

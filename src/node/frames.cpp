@@ -1,7 +1,7 @@
 #include "node/frames.h"
 
-#include <Eigen/Geometry>
 #include <tf2_eigen/tf2_eigen.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <numeric>

@@ -42,7 +42,7 @@ class MarkerPainter {
   msg::Sheet sheet_;
   std::vector<std::array<std::uint32_t, 2>> border_;
   std::vector<bool> on_crease_;  ///< for each vertex
-  double size_ = 0;  ///< of the flat sheet [m]
+  double size_ = 0;              ///< of the flat sheet [m]
 };
 
 }  // namespace shell_origami

@@ -13,8 +13,7 @@ Paper::Original::Original(const Simulation& simulation)
   }
 }
 
-Paper::Paper(Simulation simulation)
-    : simulation_(std::move(simulation)), original_(simulation_) {}
+Paper::Paper(Simulation simulation) : simulation_(std::move(simulation)), original_(simulation_) {}
 
 void Paper::replace(Simulation simulation) {
   follow(std::move(simulation));

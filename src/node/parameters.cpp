@@ -63,8 +63,8 @@ void readSheet(ParameterReader& reader, SheetSource& sheet) {
 void readClock(ParameterReader& reader, NodeConfig& config) {
   std::string clock = "follow";
   reader.read("clock", clock);
-  config.clock = choice<ClockMode>(
-      "clock", clock, {{"follow", ClockMode::kFollow}, {"lead", ClockMode::kLead}});
+  config.clock = choice<ClockMode>("clock", clock,
+                                   {{"follow", ClockMode::kFollow}, {"lead", ClockMode::kLead}});
   reader.read("real_time_factor", config.real_time_factor);
 }
 
@@ -88,8 +88,9 @@ void check(const NodeConfig& config) {
   require(config.real_time_factor >= 0, "real_time_factor", config.real_time_factor,
           "zero or positive");
   if (config.clock == ClockMode::kLead && !ros::Time::isSimTime()) {
-    refuse("parameter ~clock is \"lead\", but that publishes /clock and needs /use_sim_time to be "
-           "true");
+    refuse(
+        "parameter ~clock is \"lead\", but that publishes /clock and needs /use_sim_time to be "
+        "true");
   }
 }
 
@@ -119,8 +120,7 @@ NodeConfig loadParameters(const ros::NodeHandle& private_node) {
 std::string findRecipe(const std::string& recipe) {
   namespace fs = std::filesystem;
   if (fs::is_regular_file(recipe)) return recipe;
-  const std::string own =
-      ros::package::getPath("shell_origami") + "/recipes/" + recipe + ".yaml";
+  const std::string own = ros::package::getPath("shell_origami") + "/recipes/" + recipe + ".yaml";
   if (recipe.find('/') == std::string::npos && fs::is_regular_file(own)) return own;
   refuse("parameter ~recipe is \"", recipe, "\", but there is no such file, and no ", own);
 }

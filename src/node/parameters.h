@@ -18,15 +18,15 @@ enum class ClockMode {
 struct NodeConfig {
   SimulationConfig simulation;
   SheetSource sheet;
-  std::string recipe;            ///< path of the recipe to run; empty: none
-  std::string output;            ///< folder for the results of the recipe; empty: none are written
-  bool paused = false;           ///< whether the node starts paused
+  std::string recipe;   ///< path of the recipe to run; empty: none
+  std::string output;   ///< folder for the results of the recipe; empty: none are written
+  bool paused = false;  ///< whether the node starts paused
   bool wait_for_recorder = false;  ///< whether to start once ~sheet, ~state, ~edits are heard
-  double publish_rate = 30;      ///< [Hz]
+  double publish_rate = 30;        ///< [Hz]
   std::string world_frame = "world";
-  bool vertex_ids = false;       ///< whether the markers show the vertices' numbers
+  bool vertex_ids = false;  ///< whether the markers show the vertices' numbers
   ClockMode clock = ClockMode::kFollow;
-  double real_time_factor = 1;   ///< simulated over elapsed time, lead only; 0: as fast as it can
+  double real_time_factor = 1;  ///< simulated over elapsed time, lead only; 0: as fast as it can
 };
 
 /// Reads the private parameters of the node; those that are not set keep their defaults.

@@ -66,8 +66,9 @@ bool Services::fold(msg::Fold::Request& request, msg::Fold::Response& response) 
     response.crease_ids = result.crease_ids;
     response.vertices = vertexIds(result.vertices);
     response.revision = origami_.paper().revision();
-    const std::string parts =
-        result.parts == 1 ? "" : ", the " + std::to_string(result.parts) + " parts of the line that lie on the paper,";
+    const std::string parts = result.parts == 1 ? ""
+                                                : ", the " + std::to_string(result.parts) +
+                                                      " parts of the line that lie on the paper,";
     return "folding " + count(result.crease_ids.size(), "crease", "creases") + " of " +
            vertexCount(result.vertices.size()) + parts + " to " + std::to_string(request.angle) +
            " rad";
@@ -101,8 +102,8 @@ bool Services::unpin(msg::Unpin::Request& request, msg::Unpin::Response& respons
 
 bool Services::addVertex(msg::AddVertex::Request& request, msg::AddVertex::Response& response) {
   return answer("add_vertex", response, [&] {
-    const int vertex = origami_.paper().simulation().addVertex(request.edge[0], request.edge[1],
-                                                               request.fraction);
+    const int vertex =
+        origami_.paper().simulation().addVertex(request.edge[0], request.edge[1], request.fraction);
     response.vertex = static_cast<std::uint32_t>(vertex);
     response.revision = origami_.paper().revision();
     return "added vertex " + std::to_string(vertex);

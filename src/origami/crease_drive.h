@@ -3,8 +3,8 @@
 #pragma once
 
 #include "origami/fold_ramp.h"
-#include "shell/rest_shape.h"
 #include "sheet/remap.h"
+#include "shell/rest_shape.h"
 
 #include <vector>
 

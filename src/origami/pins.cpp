@@ -13,8 +13,7 @@ void checkVertex(const Sheet& sheet, std::int64_t vertex) {
   }
 }
 
-std::vector<int> verticesAt(const PinWhere& where, const Sheet& sheet,
-                            const Positions& positions) {
+std::vector<int> verticesAt(const PinWhere& where, const Sheet& sheet, const Positions& positions) {
   std::set<int> found;
   if (const auto* ids = std::get_if<std::vector<std::int64_t>>(&where)) {
     if (ids->empty()) refuse("no vertices are given");
@@ -57,8 +56,8 @@ std::vector<int> verticesAt(const PinWhere& where, const Sheet& sheet,
       if ((positions.col(v) - ball.center).norm() <= ball.radius) found.insert(v);
     }
     if (found.empty()) {
-      refuse("no vertex is within ", ball.radius, " m of (", ball.center.x(), ", ",
-             ball.center.y(), ", ", ball.center.z(), ")");
+      refuse("no vertex is within ", ball.radius, " m of (", ball.center.x(), ", ", ball.center.y(),
+             ", ", ball.center.z(), ")");
     }
   }
   return {found.begin(), found.end()};

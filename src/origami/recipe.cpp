@@ -19,8 +19,7 @@ FoldPaper readPaper(const SheetSource& source) {
 
 Eigen::Isometry3d poseOf(const SheetSource& source) {
   const Vector3& angles = source.roll_pitch_yaw;
-  return Eigen::Translation3d(source.position) *
-         Eigen::AngleAxisd(angles.z(), Vector3::UnitZ()) *
+  return Eigen::Translation3d(source.position) * Eigen::AngleAxisd(angles.z(), Vector3::UnitZ()) *
          Eigen::AngleAxisd(angles.y(), Vector3::UnitY()) *
          Eigen::AngleAxisd(angles.x(), Vector3::UnitX());
 }

@@ -19,18 +19,28 @@ struct SheetSource {
   double max_edge = 0.01;  ///< longest edge wanted [m]
   std::string pattern;     ///< FOLD file; empty: the rectangle
   double scale = 0;        ///< metres per unit of the pattern; 0: the unit the file states
-  Vector3 position = Vector3::Zero();      ///< where the flat sheet's origin lies in the world [m]
+  Vector3 position = Vector3::Zero();  ///< where the flat sheet's origin lies in the world [m]
   Vector3 roll_pitch_yaw = Vector3::Zero();  ///< how the flat sheet lies there [rad] (REP-103)
 };
 
 /// Makes the paper. \throws std::invalid_argument with one sentence.
 Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config);
 
-struct PinStep { PinWhere where; };
-struct UnpinStep { std::vector<Vector2> points; };  ///< empty: all
-struct FoldStep { std::vector<FoldRequest> folds; double duration = 1; };
+struct PinStep {
+  PinWhere where;
+};
+struct UnpinStep {
+  std::vector<Vector2> points;
+};  ///< empty: all
+struct FoldStep {
+  std::vector<FoldRequest> folds;
+  double duration = 1;
+};
 /// Waits until the paper has settled; quasi-statically it goes to equilibrium first, at once.
-struct SettleStep { double timeout = 5; bool quasi_static = false; };  ///< [s]
+struct SettleStep {
+  double timeout = 5;
+  bool quasi_static = false;
+};  ///< [s]
 using RecipeStep = std::variant<PinStep, UnpinStep, FoldStep, SettleStep>;
 
 /// From where the finished model looks best: rviz's orbit camera.

@@ -164,23 +164,22 @@ void readMaterial(const Reader& reader, const YAML::Node& node, Material& materi
 }
 
 void readSolver(const Reader& reader, const YAML::Node& node, SolverConfig& solver) {
-  reader.readMap(
-      node, "solver",
-      {{"integrator",
-        [&](const YAML::Node& value) {
-          solver.integrator = reader.choice(value, "integrator", integratorNames());
-        }},
-       {"time_step", reader.into(solver.time_step, "time_step")},
-       {"beta", reader.into(solver.beta, "beta")},
-       {"gamma", reader.into(solver.gamma, "gamma")},
-       {"tolerance", reader.into(solver.tolerance, "tolerance")},
-       {"max_iterations", [&](const YAML::Node& value) {
-          const double count = reader.number(value, "max_iterations");
-          if (count != std::floor(count) || std::abs(count) > 1e9) {
-            reader.refuseAt(value, "max_iterations must be a whole number, not ", count);
-          }
-          solver.max_iterations = static_cast<int>(count);
-        }}});
+  reader.readMap(node, "solver",
+                 {{"integrator",
+                   [&](const YAML::Node& value) {
+                     solver.integrator = reader.choice(value, "integrator", integratorNames());
+                   }},
+                  {"time_step", reader.into(solver.time_step, "time_step")},
+                  {"beta", reader.into(solver.beta, "beta")},
+                  {"gamma", reader.into(solver.gamma, "gamma")},
+                  {"tolerance", reader.into(solver.tolerance, "tolerance")},
+                  {"max_iterations", [&](const YAML::Node& value) {
+                     const double count = reader.number(value, "max_iterations");
+                     if (count != std::floor(count) || std::abs(count) > 1e9) {
+                       reader.refuseAt(value, "max_iterations must be a whole number, not ", count);
+                     }
+                     solver.max_iterations = static_cast<int>(count);
+                   }}});
 }
 
 void readView(const Reader& reader, const YAML::Node& node, View& view) {
@@ -202,33 +201,32 @@ FoldRequest readFoldEntry(const Reader& reader, const YAML::Node& node) {
     if (has_place) reader.refuseAt(value, "a fold takes one of line and crease, not both");
     has_place = true;
   };
-  reader.readMap(node, "a fold",
-                 {{"line",
-                   [&](const YAML::Node& value) {
-                     place(value);
-                     const auto ends = reader.points(value, "line");
-                     if (ends.size() != 2) reader.refuseAt(value, "a line has two ends");
-                     fold.where = Line{ends[0], ends[1]};
-                   }},
-                  {"crease",
-                   [&](const YAML::Node& value) {
-                     place(value);
-                     fold.where = CreaseName{reader.text(value, "crease")};
-                   }},
-                  {"angle_deg",
-                   [&](const YAML::Node& value) {
-                     const double angle = reader.number(value, "angle_deg");
-                     if (!(std::abs(angle) < 180)) {
-                       reader.refuseAt(value, "angle_deg ", angle, " is not inside (-180, 180)");
-                     }
-                     fold.angle = angle * kDegree;
-                     has_angle = true;
-                   }},
-                  {"stiffness",
-                   [&](const YAML::Node& value) {
-                     fold.stiffness = reader.number(value, "stiffness");
-                   }},
-                  {"name", [&](const YAML::Node& value) { fold.name = reader.text(value, "name"); }}});
+  reader.readMap(
+      node, "a fold",
+      {{"line",
+        [&](const YAML::Node& value) {
+          place(value);
+          const auto ends = reader.points(value, "line");
+          if (ends.size() != 2) reader.refuseAt(value, "a line has two ends");
+          fold.where = Line{ends[0], ends[1]};
+        }},
+       {"crease",
+        [&](const YAML::Node& value) {
+          place(value);
+          fold.where = CreaseName{reader.text(value, "crease")};
+        }},
+       {"angle_deg",
+        [&](const YAML::Node& value) {
+          const double angle = reader.number(value, "angle_deg");
+          if (!(std::abs(angle) < 180)) {
+            reader.refuseAt(value, "angle_deg ", angle, " is not inside (-180, 180)");
+          }
+          fold.angle = angle * kDegree;
+          has_angle = true;
+        }},
+       {"stiffness",
+        [&](const YAML::Node& value) { fold.stiffness = reader.number(value, "stiffness"); }},
+       {"name", [&](const YAML::Node& value) { fold.name = reader.text(value, "name"); }}});
   if (!has_place) reader.refuseAt(node, "a fold needs a line or a crease");
   if (!has_angle) reader.refuseAt(node, "a fold needs angle_deg");
   return fold;
@@ -324,7 +322,7 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
   YAML::Node steps;
   reader.readMap(
       root, "the recipe",
-      {{"sheet", 
+      {{"sheet",
         [&](const YAML::Node& node) {
           readSheet(reader, node, folder, recipe.sheet, config.rest);
         }},

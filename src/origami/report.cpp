@@ -119,9 +119,9 @@ void writeFile(const std::string& path, const std::string& text) {
   const fs::file_status status = fs::status(path, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status)) failToWrite(path, "it is no plain file");
   // Through a link, its target is replaced and the link stays.
-  const fs::path target =
-      fs::is_symlink(fs::symlink_status(path, ignored)) && fs::exists(status)
-          ? fs::canonical(path, ignored) : fs::path(path);
+  const fs::path target = fs::is_symlink(fs::symlink_status(path, ignored)) && fs::exists(status)
+                              ? fs::canonical(path, ignored)
+                              : fs::path(path);
   const std::string part = target.string() + "." + std::to_string(getpid()) + ".part";
   const int error = writeWhole(part, text);
   if (error != 0) {

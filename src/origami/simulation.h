@@ -65,8 +65,8 @@ struct CreaseStatus {
   double angle = 0, angle_min = 0, angle_max = 0;
   double rest_angle = 0;
   double target_angle = 0;  ///< of a free crease, where it rests
-  double moment = 0;    ///< mean [N*m per m], positive towards a valley
-  bool driven = false;  ///< a fold has named it
+  double moment = 0;        ///< mean [N*m per m], positive towards a valley
+  bool driven = false;      ///< a fold has named it
 };
 
 struct Energies {

@@ -151,8 +151,8 @@ std::optional<std::size_t> EdgeCollector::find(int a, int b) const {
 }
 
 bool CreasePattern::hasOnlyTriangles() const {
-  return !faces.empty() && std::all_of(faces.begin(), faces.end(),
-                                       [](const auto& face) { return face.size() == 3; });
+  return !faces.empty() &&
+         std::all_of(faces.begin(), faces.end(), [](const auto& face) { return face.size() == 3; });
 }
 
 std::vector<std::size_t> CreasePattern::cuts() const {

@@ -45,9 +45,9 @@ struct PatternCrease {
 struct CreasePattern {
   int frame = 0;  ///< of the file
   PatternPlane plane;
-  std::vector<Vector2> points;     ///< in units of the file
-  std::vector<int> file_vertices;  ///< the file's number of each point
-  std::vector<PatternEdge> edges;  ///< each once
+  std::vector<Vector2> points;          ///< in units of the file
+  std::vector<int> file_vertices;       ///< the file's number of each point
+  std::vector<PatternEdge> edges;       ///< each once
   std::vector<std::vector<int>> faces;  ///< counter-clockwise; empty where the file has none
   std::vector<NotedCrease> noted;
 

@@ -174,8 +174,8 @@ std::vector<std::array<int, 2>> FoldDocument::edges(int frame, int vertex_count)
   for (const json& item : *list) {
     const std::string where = place("edges_vertices", edges.size());
     if (!item.is_array() || item.size() != 2) refuse(where, " is ", shown(item), ", not a pair");
-    edges.push_back({readVertex(item[0], vertex_count, where),
-                     readVertex(item[1], vertex_count, where)});
+    edges.push_back(
+        {readVertex(item[0], vertex_count, where), readVertex(item[1], vertex_count, where)});
   }
   return edges;
 }

@@ -13,7 +13,7 @@
 namespace shell_origami {
 
 struct FoldReadOptions {
-  double scale = 0;     ///< metres per unit of the file; 0: the frame_unit the file states
+  double scale = 0;  ///< metres per unit of the file; 0: the frame_unit the file states
   /// Longest edge wanted [m]; 0: keep the file's own triangles, or where it has none, add no
   /// vertices.
   double max_edge = 0;

@@ -16,7 +16,7 @@ double metresPerUnit(const FoldDocument& document, int frame, double scale) {
     return scale;
   }
   static const std::map<std::string, double> metres{
-      {"m", 1},    {"cm", 1e-2},     {"mm", 1e-3},         {"um", 1e-6},
+      {"m", 1},     {"cm", 1e-2},   {"mm", 1e-3},       {"um", 1e-6},
       {"nm", 1e-9}, {"in", 0.0254}, {"pt", 0.0254 / 72}};
   const std::string unit = document.unit(frame);
   const auto found = metres.find(unit);

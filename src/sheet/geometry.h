@@ -18,9 +18,7 @@ using Triangle = std::array<int, 3>;
 /// A straight line on the flat sheet, by its two ends [m].
 using Line = std::array<Vector2, 2>;
 
-inline double cross(const Vector2& a, const Vector2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
+inline double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Twice the signed area of the triangle a, b, c: positive when counter-clockwise.
 inline double doubleArea(const Vector2& a, const Vector2& b, const Vector2& c) {

@@ -42,7 +42,8 @@ int MaterialMesh::splitEdge(Triangulation::Side side, const Vector2& p) {
 int MaterialMesh::splitTriangle(int triangle, const Vector2& p) {
   if (!space_.empty()) {
     const Triangle& t = mesh_.triangles()[triangle];
-    const Vector3 w(doubleArea(p, point(t[1]), point(t[2])), doubleArea(point(t[0]), p, point(t[2])),
+    const Vector3 w(doubleArea(p, point(t[1]), point(t[2])),
+                    doubleArea(point(t[0]), p, point(t[2])),
                     doubleArea(point(t[0]), point(t[1]), p));
     space_.push_back((w[0] * space_[t[0]] + w[1] * space_[t[1]] + w[2] * space_[t[2]]) / w.sum());
   }
@@ -63,10 +64,10 @@ void MaterialMesh::shift(int v, const Vector2& p) {
     Vector3 place = space_[v];
     for (int t : mesh_.around(v)) {
       const Triangle& c = mesh_.triangles()[t];
-      const Vector3 w = Vector3(doubleArea(p, point(c[1]), point(c[2])),
-                                doubleArea(point(c[0]), p, point(c[2])),
-                                doubleArea(point(c[0]), point(c[1]), p)) /
-                        doubleArea(point(c[0]), point(c[1]), point(c[2]));
+      const Vector3 w =
+          Vector3(doubleArea(p, point(c[1]), point(c[2])), doubleArea(point(c[0]), p, point(c[2])),
+                  doubleArea(point(c[0]), point(c[1]), p)) /
+          doubleArea(point(c[0]), point(c[1]), point(c[2]));
       if (w.minCoeff() <= best) continue;
       best = w.minCoeff();
       place = w[0] * space_[c[0]] + w[1] * space_[c[1]] + w[2] * space_[c[2]];
@@ -91,7 +92,8 @@ MaterialMesh::Freedom MaterialMesh::freedom(int v) const {
     };
     // Each edge once: the right side of every triangle, and the left one at the border's end.
     if (bound(right)) rails.emplace_back(c[(k + 1) % 3], mesh_.label(right));
-    if (mesh_.neighbour(left) == Triangulation::kNone) rails.emplace_back(c[(k + 2) % 3], mesh_.label(left));
+    if (mesh_.neighbour(left) == Triangulation::kNone)
+      rails.emplace_back(c[(k + 2) % 3], mesh_.label(left));
   }
   if (rails.empty()) return {Freedom::kFree, {-1, -1}};
   if (rails.size() != 2 || rails[0].second != rails[1].second) return {};
@@ -141,8 +143,8 @@ double MaterialMesh::smallestAngle(int v, const Vector2& p) const {
   for (int t : mesh_.around(v)) {
     const int k = mesh_.cornerOf(t, v);
     const Triangle& c = mesh_.triangles()[t];
-    smallest = std::min(smallest, shell_origami::smallestAngle(p, point(c[(k + 1) % 3]),
-                                                               point(c[(k + 2) % 3])));
+    smallest = std::min(
+        smallest, shell_origami::smallestAngle(p, point(c[(k + 1) % 3]), point(c[(k + 2) % 3])));
   }
   return smallest;
 }

@@ -45,8 +45,7 @@ double angleAt(const Triangulation& mesh, int triangle, int k) {
 }  // namespace
 
 bool isFixed(const Triangulation& mesh, Side side) {
-  return mesh.neighbour(side) == Triangulation::kNone ||
-         mesh.label(side) != Triangulation::kNone;
+  return mesh.neighbour(side) == Triangulation::kNone || mesh.label(side) != Triangulation::kNone;
 }
 
 bool isSliver(const Triangulation& mesh, int triangle, double least) {
@@ -203,8 +202,8 @@ bool flipAll(Triangulation& mesh, double longest) {
     for (int k = 0; k < 3; ++k) {
       const Side side{t, k};
       if (!shouldFlip(mesh, side)) continue;
-      const Vector2 diagonal = mesh.points()[mesh.apex(side)] -
-                               mesh.points()[mesh.apex(mesh.opposite(side))];
+      const Vector2 diagonal =
+          mesh.points()[mesh.apex(side)] - mesh.points()[mesh.apex(mesh.opposite(side))];
       if (diagonal.norm() > std::max(longest, length(mesh, side))) continue;
       mesh.flip(side);
       flipped = true;

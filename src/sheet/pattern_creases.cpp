@@ -127,8 +127,8 @@ std::vector<PatternCrease> gatherCreases(const CreasePattern& pattern) {
   for (std::size_t i = 0; i < pattern.edges.size(); ++i) {
     if (gatherer.taken(i)) continue;
     const std::uint32_t id = next_id++;
-    creases.push_back({id, "crease_" + std::to_string(id), gatherer.lineThrough(i),
-                       pattern.edges[i].angle});
+    creases.push_back(
+        {id, "crease_" + std::to_string(id), gatherer.lineThrough(i), pattern.edges[i].angle});
   }
   return creases;
 }

@@ -92,8 +92,8 @@ PatternSheet makeSheet(const CreasePattern& pattern, double max_edge) {
   const CreasePattern closed = closeSlits(pattern, max_edge == 0);
   const Outline outline = traceOutline(closed);
   const bool has_open_slits = closed.cuts().size() > pattern.cuts().size();
-  const bool keeps_faces = max_edge == 0 && (pattern.hasOnlyTriangles() ||
-                                             (!pattern.faces.empty() && has_open_slits));
+  const bool keeps_faces =
+      max_edge == 0 && (pattern.hasOnlyTriangles() || (!pattern.faces.empty() && has_open_slits));
   const CreasePattern& lines = keeps_faces ? pattern : closed;
   GraphMesh mesh = keeps_faces ? keepFaces(pattern, outline) : meshLines(closed, outline, max_edge);
   std::vector<std::array<int, 2>> sources = openCuts(mesh, lines.cuts());

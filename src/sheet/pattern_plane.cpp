@@ -88,8 +88,7 @@ void findFlatFrame(const FoldDocument& document, CreasePattern& pattern) {
       const std::vector<Vector3> points = document.points(frame);
       if (points.empty()) continue;
       has_vertices = true;
-      const auto plane =
-          planeOf(points, document.faces(frame, static_cast<int>(points.size())));
+      const auto plane = planeOf(points, document.faces(frame, static_cast<int>(points.size())));
       if (wants_class && !plane) {
         refuse(FoldDocument::frameName(frame),
                " is called a crease pattern, but its vertices do not span one plane");

@@ -43,9 +43,8 @@ std::vector<int> chainAlong(const PatternEdge& edge, const std::vector<int>& ver
     if (*v == a || *v == b || distanceToSegment(points[*v], from, to) > tolerance) continue;
     between.push_back(*v);
   }
-  std::sort(between.begin(), between.end(), [&](int v, int w) {
-    return (to - from).dot(points[v] - points[w]) < 0;
-  });
+  std::sort(between.begin(), between.end(),
+            [&](int v, int w) { return (to - from).dot(points[v] - points[w]) < 0; });
   std::vector<int> chain{a};
   chain.insert(chain.end(), between.begin(), between.end());
   chain.push_back(b);

@@ -46,8 +46,8 @@ double extent(const std::vector<Vector2>& points) {
 std::optional<std::array<int, 2>> crossingSegments(const PlanarGraph& graph) {
   const double tolerance = 1e-9 * extent(graph.points);
   const auto range = [&graph](int i) {
-    const auto [left, right] = std::minmax({graph.points[graph.segments[i][0]].x(),
-                                            graph.points[graph.segments[i][1]].x()});
+    const auto [left, right] = std::minmax(
+        {graph.points[graph.segments[i][0]].x(), graph.points[graph.segments[i][1]].x()});
     return std::array<double, 2>{left, right};
   };
   // A sweep from left to right: only segments whose x ranges overlap are compared.
@@ -92,8 +92,8 @@ std::vector<std::vector<int>> subdivide(PlanarGraph& graph, double spacing, doub
   for (const auto& [a, b] : graph.segments) {
     const Vector2 from = graph.points[a], to = graph.points[b];
     const double length = (to - from).norm();
-    const int parts = static_cast<int>(std::max(
-        {1.0, std::round(length / spacing), std::ceil(length / longest * (1 - 1e-12))}));
+    const int parts = static_cast<int>(
+        std::max({1.0, std::round(length / spacing), std::ceil(length / longest * (1 - 1e-12))}));
     std::vector<int> chain{a};
     for (int k = 1; k < parts; ++k) {
       chain.push_back(static_cast<int>(graph.points.size()));
@@ -111,7 +111,7 @@ namespace {
 
 /// The rows of the lattice, with what crosses or comes near each.
 struct Rows {
-  double bottom = 0, height = 1;  ///< y of row 0, distance of the rows
+  double bottom = 0, height = 1;               ///< y of row 0, distance of the rows
   std::vector<std::vector<double>> crossings;  ///< x at which the outline crosses the row
   std::vector<std::vector<Line>> near;         ///< pieces within the clearance of the row
 

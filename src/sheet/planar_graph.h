@@ -18,8 +18,7 @@ std::vector<std::vector<int>> subdivide(PlanarGraph& graph, double spacing, doub
 
 /// Points of a lattice of equilateral triangles of edge `spacing` inside the paper, none closer
 /// to a segment than `clearance`. `outline` holds the paper's border edges, by their ends.
-std::vector<Vector2> latticePoints(const PlanarGraph& graph,
-                                   const std::vector<Line>& outline, double spacing,
-                                   double clearance);
+std::vector<Vector2> latticePoints(const PlanarGraph& graph, const std::vector<Line>& outline,
+                                   double spacing, double clearance);
 
 }  // namespace shell_origami

@@ -61,9 +61,9 @@ class RowPlan {
   double quality() const {
     const double second = columns_ == 1 ? length_ : std::min(1.5 * step(), length_ - end_);
     const Vector2 corner(0, 0), above(0, height()), first(end_, height()), along(step(), 0);
-    const double end = std::min({smallestAngle({corner, first, above}),
-                                 smallestAngle({corner, along, first}),
-                                 smallestAngle({first, along, Vector2(second, height())})});
+    const double end =
+        std::min({smallestAngle({corner, first, above}), smallestAngle({corner, along, first}),
+                  smallestAngle({first, along, Vector2(second, height())})});
     const double inner = smallestAngle({corner, along, Vector2(step() / 2, height())});
     return std::min({1.0, end / kEndAngle, inner / kInnerAngle});
   }
@@ -136,8 +136,8 @@ Triangulation triangulateRectangle(double width, double height, double max_edge)
       const Vector2 p = turned ? Vector2(y, x) : Vector2(x, y);
       const auto known = std::find(graph.points.begin(), graph.points.begin() + 4, p);
       const bool is_corner = known != graph.points.begin() + 4;
-      rows.back().push_back(static_cast<int>(is_corner ? known - graph.points.begin()
-                                                       : graph.points.size()));
+      rows.back().push_back(
+          static_cast<int>(is_corner ? known - graph.points.begin() : graph.points.size()));
       if (!is_corner) graph.points.push_back(p);
     }
   }

@@ -34,8 +34,8 @@ class Trace {
       if (old) home_[v] = around[v];
       if (old && p == before_.flatPositions()[v]) continue;
       const Triangulation& mesh = after_.triangulation();
-      const auto place = mesh.onBorder(v) ? locateBeside(p, mesh.around(v)[0])
-                                          : locate(p, old ? around[v] : last);
+      const auto place =
+          mesh.onBorder(v) ? locateBeside(p, mesh.around(v)[0]) : locate(p, old ? around[v] : last);
       moved_[v] = true;
       home_[v] = last = place.triangle;
       remap.changed.push_back(v);
@@ -61,8 +61,7 @@ class Trace {
       for (int k = 0; k < 3; ++k) {
         int& edge = remap.edges[after_.edgeIndex({t, k})];
         if (edge != Remap::kNone) continue;
-        edge = kept_[t] ? before_.edgeIndex({t, k})
-                        : edgeUnder({t, k});
+        edge = kept_[t] ? before_.edgeIndex({t, k}) : edgeUnder({t, k});
       }
     }
   }

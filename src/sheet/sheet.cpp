@@ -42,7 +42,9 @@ void Sheet::rebuildEdges() {
       const Triangulation::Side side{t, k};
       const int other = triangulation_.neighbour(side);
       if (other != Triangulation::kNone && other < t) continue;
-      Edge edge{triangulation_.ends(side), {triangulation_.apex(side), -1}, {t, other},
+      Edge edge{triangulation_.ends(side),
+                {triangulation_.apex(side), -1},
+                {t, other},
                 triangulation_.label(side)};
       edge_of_side_[t][k] = static_cast<int>(edges_.size());
       if (!edge.onBorder()) {
@@ -77,10 +79,10 @@ int Sheet::creaseIndex(std::uint32_t id) const {
 
 int Sheet::nearestVertex(const Vector2& p) const {
   const auto& points = flatPositions();
-  const auto nearest = std::min_element(points.begin(), points.end(),
-                                        [&p](const Vector2& a, const Vector2& b) {
-                                          return (a - p).squaredNorm() < (b - p).squaredNorm();
-                                        });
+  const auto nearest =
+      std::min_element(points.begin(), points.end(), [&p](const Vector2& a, const Vector2& b) {
+        return (a - p).squaredNorm() < (b - p).squaredNorm();
+      });
   return static_cast<int>(nearest - points.begin());
 }
 

@@ -281,7 +281,8 @@ std::vector<int> chainBetween(const Triangulation& mesh, int a, int b) {
         const auto [p, q] = mesh.ends({t, k});
         if (mesh.label({t, k}) == Triangulation::kNone || (p != current && q != current)) continue;
         const int far = p == current ? q : p;
-        const double straight = along.dot((mesh.points()[far] - mesh.points()[current]).normalized());
+        const double straight =
+            along.dot((mesh.points()[far] - mesh.points()[current]).normalized());
         if (straight <= straightest) continue;
         straightest = straight;
         best = far;
@@ -364,10 +365,9 @@ std::vector<Crease> SheetEditor::gatherCreases(Sheet& sheet,
   for (const auto& [label, own] : edges) {
     const bool is_old = label < old_count;
     const auto parent = is_old ? std::optional<int>(label) : new_creases_[label - old_count].parent;
-    const auto [first, last] =
-        parent ? std::make_pair(old_creases_[*parent].vertices.front(),
-                                old_creases_[*parent].vertices.back())
-               : std::make_pair(parts.front().front(), parts.back().back());
+    const auto [first, last] = parent ? std::make_pair(old_creases_[*parent].vertices.front(),
+                                                       old_creases_[*parent].vertices.back())
+                                      : std::make_pair(parts.front().front(), parts.back().back());
     const Vector2 direction = mesh.points()[last] - mesh.points()[first];
     const std::string own_name = "fold_" + std::to_string(next_id);
     bool keeps_id = is_old;
@@ -375,9 +375,7 @@ std::vector<Crease> SheetEditor::gatherCreases(Sheet& sheet,
       Crease crease;
       crease.id = keeps_id ? old_creases_[label].id : next_id++;
       const bool named = !is_old && !name.empty();
-      crease.name = named    ? name
-                    : parent ? old_creases_[*parent].name
-                             : own_name;
+      crease.name = named ? name : parent ? old_creases_[*parent].name : own_name;
       crease.vertices = std::move(run);
       if (parent) crease.pattern_angle = old_creases_[*parent].pattern_angle;
       if (parent && !keeps_id) born.push_back({crease.id, old_creases_[*parent].id});

@@ -180,8 +180,7 @@ std::optional<Triangulation::Location> Triangulation::locateAhead(const Vector2&
   return Location{best, weightsAt(p, best)};
 }
 
-std::optional<Triangulation::Location> Triangulation::locateNear(const Vector2& p,
-                                                                 double tolerance,
+std::optional<Triangulation::Location> Triangulation::locateNear(const Vector2& p, double tolerance,
                                                                  int near) const {
   std::vector<int> queue{near};
   for (std::size_t i = 0; i < queue.size() && i < kNearby; ++i) {

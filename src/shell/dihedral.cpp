@@ -35,8 +35,7 @@ struct Wing {
   std::array<Matrix3d, 3> turnJacobian() const {
     const Vector3d e = edge(), n = normal();
     const double length = e.norm(), n2 = n.squaredNorm();
-    const Matrix3d by_normal =
-        length / n2 * (Matrix3d::Identity() - 2 / n2 * n * n.transpose());
+    const Matrix3d by_normal = length / n2 * (Matrix3d::Identity() - 2 / n2 * n * n.transpose());
     const Matrix3d by_edge = n / n2 * e.transpose() / length;
     const Matrix3d dq = -by_normal * crossMatrix(r - p) + by_edge;
     const Matrix3d dr = by_normal * crossMatrix(e);

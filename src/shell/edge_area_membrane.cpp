@@ -88,8 +88,7 @@ double EdgeAreaMembrane::energy(const TrianglePoints& x) const {
 }
 
 MembraneGradient EdgeAreaMembrane::gradient(const TrianglePoints& x) const {
-  MembraneGradient gradient =
-      2 * area_stiffness_ * (areaRatio(x) - 1) / area_ * areaGradient(x);
+  MembraneGradient gradient = 2 * area_stiffness_ * (areaRatio(x) - 1) / area_ * areaGradient(x);
   for (int k = 0; k < 3; ++k) {
     const Vector3d e = edge(x, k);
     const double length = e.norm();

@@ -18,12 +18,12 @@ const std::map<std::string, MembraneKind>& membraneNames();
 
 /// Isotropic elastic paper. Defaults are copy paper.
 struct Material {
-  double youngs_modulus = 2e9;    ///< E [Pa]
-  double poisson_ratio = 0.3;     ///< nu
-  double thickness = 1e-4;        ///< t [m]
-  double density = 800;           ///< rho [kg/m^3]
-  double crease_stiffness = 5e-3; ///< c [N*m/rad per m of crease]
-  double air_damping = 5;         ///< mass-proportional [1/s]
+  double youngs_modulus = 2e9;     ///< E [Pa]
+  double poisson_ratio = 0.3;      ///< nu
+  double thickness = 1e-4;         ///< t [m]
+  double density = 800;            ///< rho [kg/m^3]
+  double crease_stiffness = 5e-3;  ///< c [N*m/rad per m of crease]
+  double air_damping = 5;          ///< mass-proportional [1/s]
   MembraneKind membrane = MembraneKind::kStVenantKirchhoff;
   /// Whether a crease's stiffness is divided by the height of the triangles beside it, over the
   /// sheet's mean height (Discrete Shells Origami, equation of figure 11), or only proportional to

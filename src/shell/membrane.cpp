@@ -14,8 +14,7 @@ Eigen::Matrix2d clampToTension(const Eigen::Matrix2d& s) {
   if (mean - radius >= 0) return s;
   if (mean + radius <= 0) return Eigen::Matrix2d::Zero();
   // One eigenvalue is positive: keep its part, (s - low I) (mean + radius) / (2 radius).
-  return (mean + radius) / (2 * radius) *
-         (s - (mean - radius) * Eigen::Matrix2d::Identity());
+  return (mean + radius) / (2 * radius) * (s - (mean - radius) * Eigen::Matrix2d::Identity());
 }
 
 Eigen::Matrix2d greenStrain(const Eigen::Matrix<double, 3, 2>& f) {

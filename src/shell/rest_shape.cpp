@@ -34,8 +34,8 @@ void RestShape::roll(const Sheet& sheet) {
     const Edge& edge = sheet.edges()[j];
     if (edge.onBorder()) continue;
     const auto at = [&](int v) { return rolledUp(sheet.flatPositions()[v], roll_); };
-    rolled_[j] = foldAngle({at(edge.vertices[0]), at(edge.vertices[1]), at(edge.opposite[0]),
-                            at(edge.opposite[1])});
+    rolled_[j] = foldAngle(
+        {at(edge.vertices[0]), at(edge.vertices[1]), at(edge.opposite[0]), at(edge.opposite[1])});
   }
 }
 
@@ -70,8 +70,8 @@ void RestShape::yield(const Material& material, const Positions& positions, Shel
     const double flow = std::min(excess / (1 + material.hardening), std::abs(bend) / hinge.width);
     plastic_[hinge.edge] += flow;
     double& set = set_[hinge.edge];
-    set = std::clamp(set + std::copysign(flow * hinge.width, bend),
-                     -kLastSet - rolled_[hinge.edge], kLastSet - rolled_[hinge.edge]);
+    set = std::clamp(set + std::copysign(flow * hinge.width, bend), -kLastSet - rolled_[hinge.edge],
+                     kLastSet - rolled_[hinge.edge]);
     shell.setRestAngle(j, rolled_[hinge.edge] + set);
   }
 }

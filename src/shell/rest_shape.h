@@ -3,8 +3,8 @@
 /// beyond yield.
 #pragma once
 
-#include "shell/shell.h"
 #include "sheet/remap.h"
+#include "shell/shell.h"
 
 #include <vector>
 

@@ -55,7 +55,8 @@ Shell::Shell(const Sheet& sheet, const Material& material, const Vector3& gravit
     hinge.vertices = {a, b, edge.opposite[0], edge.opposite[1]};
     hinge.length = (flat[b] - flat[a]).norm();
     hinge.width = (heightOn(flat[a], flat[b], flat[edge.opposite[0]]) +
-                   heightOn(flat[a], flat[b], flat[edge.opposite[1]])) / 3;
+                   heightOn(flat[a], flat[b], flat[edge.opposite[1]])) /
+                  3;
     hinge.edge = static_cast<int>(i);
     hinge.crease = edge.crease;
     if (edge.crease >= 0) {
@@ -90,8 +91,7 @@ TrianglePoints Shell::pointsOf(const Triangle& t, const Positions& x) const {
 }
 
 HingePoints Shell::pointsOf(const Hinge& h, const Positions& x) const {
-  return {x.col(h.vertices[0]), x.col(h.vertices[1]), x.col(h.vertices[2]),
-          x.col(h.vertices[3])};
+  return {x.col(h.vertices[0]), x.col(h.vertices[1]), x.col(h.vertices[2]), x.col(h.vertices[3])};
 }
 
 double Shell::membraneEnergy(const Positions& x) const {
@@ -158,8 +158,7 @@ double Shell::energy(const Positions& x, const std::vector<double>& before,
   return energy;
 }
 
-std::optional<Fault> Shell::findFault(const Positions& x,
-                                      const std::vector<double>& angles) const {
+std::optional<Fault> Shell::findFault(const Positions& x, const std::vector<double>& angles) const {
   for (int v = 0; v < vertexCount(); ++v) {
     if (!x.col(v).allFinite()) return Fault{"a position is not finite", v};
   }

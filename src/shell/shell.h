@@ -144,12 +144,12 @@ void Shell::forEachHessian(const Positions& x, const std::vector<double>& angles
       },
       membranes_);
   for (int j = 0; j < static_cast<int>(hinges_.size()); ++j) {
-    const bool rank_one =
-        kind == HessianKind::kGaussNewton || nearRest(hinges_[j], angles[j]);
+    const bool rank_one = kind == HessianKind::kGaussNewton || nearRest(hinges_[j], angles[j]);
     if (rank_one) {
       sink(triangle_count + j, gaussNewton(hinges_[j], angles[j], turns[j]));
     } else {
-      sink(triangle_count + j, exactHessian(hinges_[j], angles[j], turns[j], pointsOf(hinges_[j], x)));
+      sink(triangle_count + j,
+           exactHessian(hinges_[j], angles[j], turns[j], pointsOf(hinges_[j], x)));
     }
   }
 }

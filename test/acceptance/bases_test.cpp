@@ -26,8 +26,9 @@ void foldThrough(Simulation& simulation, const std::vector<std::pair<std::string
 const std::vector<double> kTenStates{15, 30, 45, 60, 75, 90, 105, 120, 135, 150};
 
 /// Closed form 8 of parallelograms with equal sides and an acute angle q of 60 degrees; the zigzags
-/// are the family at 2g. Of an even number of panels each is l long along the rows and s wide across
-/// them. `count`: panels along each side of the sheet; `side`: of a panel [m]; `angle`: 2g [rad].
+/// are the family at 2g. Of an even number of panels each is l long along the rows and s wide
+/// across them. `count`: panels along each side of the sheet; `side`: of a panel [m]; `angle`: 2g
+/// [rad].
 void expectMiura(const Simulation& simulation, int count, double side, double angle) {
   const Miura exact{side, side, 60 * kDegree, angle / 2};
   for (const CreaseStatus& crease : simulation.creases()) {
@@ -65,20 +66,20 @@ TEST(Waterbomb, MountainFollowsTheValleys) {
   Simulation simulation = fromRecipe("waterbomb");
   foldThrough(simulation, {{"diagonal", 1}}, {15, 30, 45, 60, 75, 90, 105, 120, 135, 150, 165},
               [&](double angle) {
-    const double mountain = waterbombMountain(angle);
-    for (const CreaseStatus& crease : simulation.creases()) {
-      const double expected = crease.name == "diagonal" ? angle : mountain;
-      EXPECT_NEAR(crease.angle / kDegree, expected / kDegree, 1) << crease.name;
-    }
-    EXPECT_LT(simulation.maxStrain(), 0.002);
-  });
+                const double mountain = waterbombMountain(angle);
+                for (const CreaseStatus& crease : simulation.creases()) {
+                  const double expected = crease.name == "diagonal" ? angle : mountain;
+                  EXPECT_NEAR(crease.angle / kDegree, expected / kDegree, 1) << crease.name;
+                }
+                EXPECT_LT(simulation.maxStrain(), 0.002);
+              });
 }
 
 TEST(SixCreases, FoldTheSameWayFastAndSlowly) {
   // Free creases that led the others, if only by a degree, would pop the vertex the wrong way when
   // there is time for it. The preliminary base is the waterbomb's vertex with the four on a cross.
-  for (const auto& [name, driven] : {std::pair{"waterbomb", "diagonal"},
-                                     std::pair{"preliminary", "cross"}}) {
+  for (const auto& [name, driven] :
+       {std::pair{"waterbomb", "diagonal"}, std::pair{"preliminary", "cross"}}) {
     for (const double duration : {1.0, 20.0}) {
       Simulation simulation = fromRecipe(name);
       simulation.fold(foldCrease(driven, 90 * kDegree, duration));

@@ -3,8 +3,8 @@
 #include "verify/elastica.h"
 #include "verify/rigid_origami.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -12,8 +12,9 @@ namespace shell_origami {
 namespace {
 
 TEST(ClosedForms, HeavyElasticaOfTheTables) {
-  struct { double gamma, drop, reach; } table[]{
-      {1, .12347, .99125}, {5, .49591, .84666}, {10, .70020, .65635}, {20, .82988, .44523}};
+  struct {
+    double gamma, drop, reach;
+  } table[]{{1, .12347, .99125}, {5, .49591, .84666}, {10, .70020, .65635}, {20, .82988, .44523}};
   for (const auto& row : table) {
     const Vector2 tip = heavyElastica(row.gamma).back();
     EXPECT_NEAR(-tip.y(), row.drop, 6e-6);
@@ -47,8 +48,8 @@ TEST(ClosedForms, MiuraIsFlatUnfoldedAndNarrowFolded) {
   // Strain along the rows over that across them.
   const double g = 0.7, dg = 1e-5;
   const Miura before{1, 1, 1, g - dg}, after{1, 1, 1, g + dg};
-  const double ratio = -std::log(after.length() / before.length()) /
-                       std::log(after.width() / before.width());
+  const double ratio =
+      -std::log(after.length() / before.length()) / std::log(after.width() / before.width());
   EXPECT_NEAR(ratio, Miura({1, 1, 1, g}).poissonRatio(), 1e-8);
 }
 

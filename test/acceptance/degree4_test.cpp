@@ -74,7 +74,7 @@ TEST(Degree4, APatternThatNobodyFoldsStaysFlat) {
 TEST(Degree4, FoldsOfOneStepKeepInStep) {
   // All four driven, to targets that fit. Ramped each on its own they would not on the way.
   for (const Degree4Vertex& vertex : {Degree4Vertex{110 * kDegree, 50 * kDegree, false},
-                               Degree4Vertex{110 * kDegree, 50 * kDegree, true}}) {
+                                      Degree4Vertex{110 * kDegree, 50 * kDegree, true}}) {
     Simulation simulation(vertex.sheet(), quasiStatic());
     const auto targets = vertex.angles(120 * kDegree);
     for (int k = 0; k < 4; ++k) {

@@ -2,8 +2,8 @@
 /// crease whose folds are compatible at its target, and the paper whole.
 #include "origami/recipe.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 #include <cstring>
@@ -88,14 +88,15 @@ TEST_P(ModelTest, TheSameRecipeTwiceGivesTheSameBits) {
             0);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Models, ModelTest,
-    testing::Values(Model{"dog", {"tail_left", "tail_right"}}, Model{"elephant", {}},
-                    Model{"apple", {"stem_mountain", "stem_valley"}}, Model{"curl", {}},
-                    Model{"miura", {}}, Model{"miura_1000", {}}, Model{"waterbomb", {}},
-                    Model{"preliminary", {}}, Model{"house", {}},
-                    Model{"curved_crease", {"inner", "outer"}}),
-    [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Models, ModelTest,
+                         testing::Values(Model{"dog", {"tail_left", "tail_right"}},
+                                         Model{"elephant", {}},
+                                         Model{"apple", {"stem_mountain", "stem_valley"}},
+                                         Model{"curl", {}}, Model{"miura", {}},
+                                         Model{"miura_1000", {}}, Model{"waterbomb", {}},
+                                         Model{"preliminary", {}}, Model{"house", {}},
+                                         Model{"curved_crease", {"inner", "outer"}}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
 }  // namespace shell_origami

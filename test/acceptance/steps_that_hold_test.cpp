@@ -2,8 +2,8 @@
 #include "origami/simulation.h"
 #include "sheet/triangulate.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -98,7 +98,8 @@ TEST(StepsThatHold, APinnedVertexYankedByFiveCentimetresInOneStep) {
 TEST(StepsThatHold, AHeldSheetPulledApartGivesUpAndSaysWhere) {
   // Both ends held, one carried far through the other: no such paper.
   Simulation simulation = square({});
-  const std::vector<int> end = simulation.pin(Region{{{0.14, 0}, {kSide, 0}, {kSide, kSide}, {0.14, kSide}}});
+  const std::vector<int> end =
+      simulation.pin(Region{{{0.14, 0}, {kSide, 0}, {kSide, kSide}, {0.14, kSide}}});
   simulation.pin(Region{{{0, 0}, {0.01, 0}, {0.01, kSide}, {0, kSide}}});
   Positions there(3, end.size());
   for (std::size_t i = 0; i < end.size(); ++i) {
@@ -157,7 +158,8 @@ double openingAfterPressing(double yield_curvature) {
     Positions places(3, hand.size());
     for (std::size_t k = 0; k < hand.size(); ++k) {
       const Vector3 arm = start.col(k) - Vector3(0.06, 0, 0);
-      places.col(k) = hinge + Vector3(arm.x() * std::cos(angle), arm.y(), arm.x() * std::sin(angle)) +
+      places.col(k) = hinge +
+                      Vector3(arm.x() * std::cos(angle), arm.y(), arm.x() * std::sin(angle)) +
                       Vector3(0, 0, 0.002 * s);
     }
     strip.carry(hand, places);

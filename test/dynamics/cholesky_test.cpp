@@ -2,8 +2,8 @@
 
 #include "sheet/triangulate.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <numeric>
@@ -62,7 +62,8 @@ struct System {
           for (int i = 0; i < block.rows(); ++i) {
             for (int j = 0; j < block.cols(); ++j) {
               const int row = unknown[corners[i / 3]], column = unknown[corners[j / 3]];
-              if (row >= 0 && column >= 0) dense(3 * row + i % 3, 3 * column + j % 3) += block(i, j);
+              if (row >= 0 && column >= 0)
+                dense(3 * row + i % 3, 3 * column + j % 3) += block(i, j);
             }
           }
         });

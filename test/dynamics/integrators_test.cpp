@@ -4,8 +4,8 @@
 #include "sheet/fold_line.h"
 #include "sheet/triangulate.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -170,8 +170,8 @@ TEST(Relax, PaperThatFallsFindsNoEquilibrium) {
   const Positions before = paper.motion.positions;
   Stepper stepper(SolverConfig{});
   stepper.setTopology(paper.allFree());
-  const StepReport report =
-      stepper.relax(paper.shell, [](Shell&, const Positions&) {}, paper.motion);
+  const StepReport report = stepper.relax(
+      paper.shell, [](Shell&, const Positions&) {}, paper.motion);
   EXPECT_FALSE(report.converged);
   EXPECT_NE(report.failure.find("no equilibrium"), std::string::npos);
   EXPECT_EQ(paper.motion.positions, before);

@@ -98,12 +98,13 @@ bool fuzzFolds(int folds, unsigned seed) {
       kept = false;
     }
   }
-  std::printf("%d folds, %d refused along the border; %ld of %ld points moved, by %.2g of max_edge "
-              "at most (bound %.2g); %d angles under 15 degrees; %ld steps, %.1f Newton iterations "
-              "each, %ld cut in two, %d did not converge\n",
-              seen.folds, seen.along_border, seen.moved, seen.points, seen.farthest, kMostMoved,
-              seen.slivers, seen.steps,
-              static_cast<double>(seen.iterations) / seen.steps, seen.retries, seen.unconverged);
+  std::printf(
+      "%d folds, %d refused along the border; %ld of %ld points moved, by %.2g of max_edge "
+      "at most (bound %.2g); %d angles under 15 degrees; %ld steps, %.1f Newton iterations "
+      "each, %ld cut in two, %d did not converge\n",
+      seen.folds, seen.along_border, seen.moved, seen.points, seen.farthest, kMostMoved,
+      seen.slivers, seen.steps, static_cast<double>(seen.iterations) / seen.steps, seen.retries,
+      seen.unconverged);
   return kept && seen.slivers == 0;
 }
 

@@ -59,8 +59,8 @@ Recipe randomRecipe(RandomSheets& random) {
   sheet.max_edge = random.between(0.015, 0.03);
   for (int i = 1 + random.below(4); i > 0; --i) {
     if (random.below(3) == 0) {
-      recipe.steps.push_back(PinStep{std::vector<Vector2>{
-          {random.between(0, sheet.width), random.between(0, sheet.height)}}});
+      recipe.steps.push_back(PinStep{
+          std::vector<Vector2>{{random.between(0, sheet.width), random.between(0, sheet.height)}}});
     }
     recipe.steps.push_back(randomFolds(random, sheet));
     recipe.steps.push_back(SettleStep{random.between(0, 0.3)});

@@ -52,8 +52,9 @@ TEST_F(RecipeTest, SaysWhatItReads) {
 }
 
 TEST_F(RecipeTest, LaysTheSheetWhereThePoseSays) {
-  const Recipe recipe = loadRecipe(write(
-      "sheet: {size: [0.1, 0.1], max_edge: 0.05, pose: {position: [1, 2, 3], rpy_deg: [90, 0, 90]}}"));
+  const Recipe recipe =
+      loadRecipe(write("sheet: {size: [0.1, 0.1], max_edge: 0.05, pose: {position: [1, 2, 3], "
+                       "rpy_deg: [90, 0, 90]}}"));
   const Simulation simulation = makeSimulation(recipe.sheet, recipe.config);
   // Roll 90: the sheet's y points up; then yaw 90: its x points along the world's y.
   for (int v = 0; v < simulation.sheet().vertexCount(); ++v) {
@@ -65,8 +66,8 @@ TEST_F(RecipeTest, LaysTheSheetWhereThePoseSays) {
 }
 
 TEST_F(RecipeTest, OverridesOneValue) {
-  const Recipe recipe = loadRecipe(write(kGood), {}, {},
-                                   {{"material/thickness", "3e-4"}, {"solver/gamma", "0.9"}});
+  const Recipe recipe =
+      loadRecipe(write(kGood), {}, {}, {{"material/thickness", "3e-4"}, {"solver/gamma", "0.9"}});
   EXPECT_DOUBLE_EQ(recipe.config.material.thickness, 3e-4);
   EXPECT_DOUBLE_EQ(recipe.config.solver.gamma, 0.9);
   EXPECT_NE(refusal(kGood, {{"material/thicknes", "1"}}).find("thicknes"), std::string::npos);

@@ -1,5 +1,5 @@
-#include "origami/mesh_file.h"
 #include "origami/report.h"
+#include "origami/mesh_file.h"
 #include "sheet/fold_file.h"
 #include "sheet/triangulate.h"
 

@@ -37,8 +37,8 @@ TEST(Slits, openInEveryFileAtEveryFineness) {
       {"a cross", crossOfSlits(), 4, 4, 0, 0},
       {"a cross that touches the border", borderSlit().line({2, 1}, {2, 3}, 'C'), 4, 7, 0, 0},
       {"with a bend", insideSlit().line({3, 2}, {3, 3}, 'C'), 3, 4, 0, 0},
-      {"two on one line",
-       Lattice().line({0, 1}, {1, 1}, 'C').line({3, 1}, {4, 1}, 'C'), 2, 4, 0, 0},
+      {"two on one line", Lattice().line({0, 1}, {1, 1}, 'C').line({3, 1}, {4, 1}, 'C'), 2, 4, 0,
+       0},
       {"that ends on a crease", borderSlit().line({2, 0}, {2, 4}, 'V'), 2, 4, 1, 4},
       {"that a crease crosses", insideSlit().line({2, 0}, {2, 4}, 'M'), 2, 2, 2, 4},
       {"that a crease lengthens", insideSlit().line({0, 2}, {1, 2}, 'V').line({3, 2}, {4, 2}, 'V'),
@@ -84,8 +84,11 @@ TEST(Slits, cutsThatPartThePaperAreRefused) {
       expectWithin(refused(Lattice().line({0, 2}, {4, 2}, 'C')), "part the paper into 2 pieces");
       expectWithin(refused(Lattice().line({0, 2}, {4, 2}, 'C').line({2, 0}, {2, 4}, 'C')),
                    "part the paper into 4 pieces");
-      expectWithin(refused(Lattice().line({1, 1}, {3, 1}, 'C').line({3, 1}, {3, 3}, 'C')
-                               .line({1, 3}, {3, 3}, 'C').line({1, 1}, {1, 3}, 'C')),
+      expectWithin(refused(Lattice()
+                               .line({1, 1}, {3, 1}, 'C')
+                               .line({3, 1}, {3, 3}, 'C')
+                               .line({1, 3}, {3, 3}, 'C')
+                               .line({1, 1}, {1, 3}, 'C')),
                    "part the paper into 2 pieces");
     }
   }
@@ -138,8 +141,7 @@ void expectSame(const Sheet& a, const Sheet& b) {
 }
 
 TEST(Slits, areWrittenAndReadBackToTheSameSheet) {
-  const json document =
-      crossOfSlits().line({0, 3}, {4, 3}, 'M').document(Faces::kTriangles);
+  const json document = crossOfSlits().line({0, 3}, {4, 3}, 'M').document(Faces::kTriangles);
   for (const double max_edge : {0.0, 0.4}) {
     const Sheet sheet = read(document, 1, max_edge).sheet;
     expectSame(read(written(sheet), 0).sheet, sheet);
@@ -170,9 +172,15 @@ TEST(Slits, afterFoldsAreWrittenAndReadBackToTheSameSheet) {
 /// A pop-up card, opened to a right angle: a strip between two slits is folded the other way. Its
 /// cells are quadrilaterals or triangles, and the middles of the slits are there twice.
 json popUpCard(Faces faces) {
-  json document = Lattice().line({0, 2}, {1, 2}, 'V').line({3, 2}, {4, 2}, 'V')
-                      .line({1, 1}, {3, 1}, 'V').line({1, 2}, {3, 2}, 'M').line({1, 3}, {3, 3}, 'V')
-                      .line({1, 1}, {1, 3}, 'B').line({3, 1}, {3, 3}, 'B').document(faces);
+  json document = Lattice()
+                      .line({0, 2}, {1, 2}, 'V')
+                      .line({3, 2}, {4, 2}, 'V')
+                      .line({1, 1}, {3, 1}, 'V')
+                      .line({1, 2}, {3, 2}, 'M')
+                      .line({1, 3}, {3, 3}, 'V')
+                      .line({1, 1}, {1, 3}, 'B')
+                      .line({3, 1}, {3, 3}, 'B')
+                      .document(faces);
   json& points = document["vertices_coords"];
   const std::map<int, int> strip{{at(1, 2), 25}, {at(3, 2), 26}};
   for (const auto& [v, twin] : strip) points.push_back(points[v]);
@@ -193,7 +201,8 @@ json popUpCard(Faces faces) {
     json edge = document["edges_vertices"][i];
     const json kind = document["edges_assignment"][i];
     const double x = (points[edge[0].get<int>()][0].get<double>() +
-                      points[edge[1].get<int>()][0].get<double>()) / 2;
+                      points[edge[1].get<int>()][0].get<double>()) /
+                     2;
     const bool on_slit = kind == "B" && (x == 1 || x == 3) && edge[0] > 4 && edge[1] < 20;
     if (x <= 1 || x >= 3) {
       edges.push_back(edge);

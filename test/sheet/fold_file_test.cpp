@@ -16,12 +16,18 @@ TEST(ReadFold, everyTestPatternLoadsAtEveryFineness) {
     const char* name;
     double area;
     int mountains, valleys;  // crease lines
-  } patterns[] = {{"01_diagonal-cp", 1, 0, 1},          {"10_house-cp", 1, 4, 6},
-                  {"12_kabuto-cp", 1, 9, 8},            {"15_crane-cp", 1, 32, 24},
-                  {"16_miura-cp", 1, 60, 60},           {"17_bad-twist-UNSAT", 1, 4, 8},
-                  {"30_os-simpleVertex", 1, 3, 1},      {"31_os-mapfold", 0.734236352, 3, 4},
-                  {"32_os-squareBase", 1, 2, 1},        {"34_os-birdBase", 1, 10, 6},
-                  {"36_os-traditionalCrane", 1, 62, 47}, {"41_os-curvedPleatSimple", 1, 1, 1}};
+  } patterns[] = {{"01_diagonal-cp", 1, 0, 1},
+                  {"10_house-cp", 1, 4, 6},
+                  {"12_kabuto-cp", 1, 9, 8},
+                  {"15_crane-cp", 1, 32, 24},
+                  {"16_miura-cp", 1, 60, 60},
+                  {"17_bad-twist-UNSAT", 1, 4, 8},
+                  {"30_os-simpleVertex", 1, 3, 1},
+                  {"31_os-mapfold", 0.734236352, 3, 4},
+                  {"32_os-squareBase", 1, 2, 1},
+                  {"34_os-birdBase", 1, 10, 6},
+                  {"36_os-traditionalCrane", 1, 62, 47},
+                  {"41_os-curvedPleatSimple", 1, 1, 1}};
   for (const auto& pattern : patterns) {
     for (const double max_edge : {0.0, 0.02, 0.007}) {
       SCOPED_TRACE(testing::Message() << pattern.name << " at " << max_edge);
@@ -138,12 +144,11 @@ TEST(ReadFold, unitsAndScale) {
 TEST(ReadFold, theSheetMayLieInAnyPlane) {
   // The faces tell which side is up: in the xz plane (x, z) as they stand, seen from -y.
   const double s = std::sqrt(0.5);
-  const json planes[] = {
-      {{0, 0, 5}, {2, 0, 5}, {2, 1, 5}, {0, 1, 5}},                // xy
-      {{0, 5, 0}, {2, 5, 0}, {2, 5, 1}, {0, 5, 1}},                // xz, faces seen from -y
-      {{0, 5, 0}, {2, 5, 0}, {2, 5, -1}, {0, 5, -1}},              // xz, from +y
-      {{5, 0, 0}, {5, 2, 0}, {5, 2, 1}, {5, 0, 1}},                // yz
-      {{0, 0, 0}, {2, 0, 0}, {2, s, s}, {0, s, s}}};               // tilted about x
+  const json planes[] = {{{0, 0, 5}, {2, 0, 5}, {2, 1, 5}, {0, 1, 5}},    // xy
+                         {{0, 5, 0}, {2, 5, 0}, {2, 5, 1}, {0, 5, 1}},    // xz, faces seen from -y
+                         {{0, 5, 0}, {2, 5, 0}, {2, 5, -1}, {0, 5, -1}},  // xz, from +y
+                         {{5, 0, 0}, {5, 2, 0}, {5, 2, 1}, {5, 0, 1}},    // yz
+                         {{0, 0, 0}, {2, 0, 0}, {2, s, s}, {0, s, s}}};   // tilted about x
   for (const json& coordinates : planes) {
     SCOPED_TRACE(coordinates.dump());
     json document = diagonal();
@@ -189,8 +194,7 @@ TEST(ReadFold, unusedAndDoubleVerticesAreDropped) {
 
 TEST(ReadFold, holesStayOpen) {
   json document = {
-      {"vertices_coords",
-       {{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}}},
+      {"vertices_coords", {{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}}},
       {"edges_vertices",
        {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {2, 6}}},
       {"edges_assignment", {"B", "B", "B", "B", "B", "B", "B", "B", "M", "C"}}};
@@ -221,10 +225,10 @@ TEST(ReadFold, cutsAreBorderOnlyWhereTheyCanBe) {
 TEST(ReadFold, thePatternMayBeALaterFrame) {
   // The key frame is a tent; its pattern inherits everything else.
   json document = diagonal();
-  json pattern = {{"frame_inherit", true}, {"frame_classes", json::array({"creasePattern"})},
+  json pattern = {{"frame_inherit", true},
+                  {"frame_classes", json::array({"creasePattern"})},
                   {"vertices_coords", document["vertices_coords"]}};
-  document["vertices_coords"] = {{0, 0, 0}, {0.5, 0.5, 0.7071067811865476},
-                                 {1, 1, 0}, {0, 1, 0}};
+  document["vertices_coords"] = {{0, 0, 0}, {0.5, 0.5, 0.7071067811865476}, {1, 1, 0}, {0, 1, 0}};
   document["frame_classes"] = json::array({"foldedForm"});
   document["file_frames"] = json::array({pattern});
   const FoldPaper paper = read(document);
@@ -239,9 +243,9 @@ TEST(ReadFold, thePatternMayBeALaterFrame) {
 
 TEST(ReadFold, aFlatFoldedFormIsNoPlaceToStartFrom) {
   json document = diagonal();
-  document["file_frames"] = json::array(
-      {{{"frame_inherit", true}, {"frame_classes", json::array({"foldedForm"})},
-        {"vertices_coords", {{0, 0}, {0, 1}, {1, 1}, {0, 1}}}}});
+  document["file_frames"] = json::array({{{"frame_inherit", true},
+                                          {"frame_classes", json::array({"foldedForm"})},
+                                          {"vertices_coords", {{0, 0}, {0, 1}, {1, 1}, {0, 1}}}}});
   document["frame_classes"] = json::array({"creasePattern"});
   EXPECT_FALSE(read(document).positions);
 }

@@ -12,13 +12,9 @@ namespace {
 
 constexpr double kSide = 0.15;
 
-Sheet square(double max_edge = 0.02) {
-  return Sheet(triangulateRectangle(kSide, kSide, max_edge));
-}
+Sheet square(double max_edge = 0.02) { return Sheet(triangulateRectangle(kSide, kSide, max_edge)); }
 
-Line line(double x0, double y0, double x1, double y1) {
-  return {Vector2(x0, y0), Vector2(x1, y1)};
-}
+Line line(double x0, double y0, double x1, double y1) { return {Vector2(x0, y0), Vector2(x1, y1)}; }
 
 double length(const Sheet& sheet, const std::vector<int>& polyline) {
   double sum = 0;
@@ -81,8 +77,7 @@ TEST(FoldLine, AlongAWholeCreaseIsThatCreaseAgain) {
   EXPECT_EQ(again.crease_ids, first.crease_ids);
   EXPECT_EQ(sheet.creases().size(), 1u);
   EXPECT_EQ(sheet.creases()[0].name, "spine");
-  EXPECT_EQ(again.vertices,
-            std::vector<int>(first.vertices.rbegin(), first.vertices.rend()));
+  EXPECT_EQ(again.vertices, std::vector<int>(first.vertices.rbegin(), first.vertices.rend()));
 }
 
 TEST(FoldLine, APartOfACreaseIsCutOffWithItsParentNamed) {
@@ -177,7 +172,8 @@ TEST(FoldLine, RemapTellsTheEdgeAndTheTriangleThatEachWasAPartOf) {
   for (std::size_t t = 0; t < sheet.triangles().size(); ++t) {
     const Triangle& c = sheet.triangles()[t];
     const Vector2 centroid =
-        (sheet.flatPositions()[c[0]] + sheet.flatPositions()[c[1]] + sheet.flatPositions()[c[2]]) / 3;
+        (sheet.flatPositions()[c[0]] + sheet.flatPositions()[c[1]] + sheet.flatPositions()[c[2]]) /
+        3;
     const Triangle& old = before.triangles()[remap.triangles[t]];
     for (int k = 0; k < 3; ++k) {
       EXPECT_GE(doubleArea(old_points[old[k]], old_points[old[(k + 1) % 3]], centroid), -1e-15);
@@ -207,10 +203,9 @@ TEST(FoldLine, RefusesWhatMakesNoSenseAndLeavesTheSheet) {
   makeFoldLine(sheet, line(0, 0, kSide, kSide));
   const Sheet before = sheet;
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-  for (const Line& bad :
-       {line(0.05, 0.05, 0.05, 0.05), line(-0.01, 0, 0.1, 0.1), line(0, 0, 0.2, 0.2),
-        line(nan, 0, 0.1, 0.1), line(0, 0, infinity, 0.1), line(0, 0, kSide, 0),
-        line(1, 1, 2, 2)}) {
+  for (const Line& bad : {line(0.05, 0.05, 0.05, 0.05), line(-0.01, 0, 0.1, 0.1),
+                          line(0, 0, 0.2, 0.2), line(nan, 0, 0.1, 0.1), line(0, 0, infinity, 0.1),
+                          line(0, 0, kSide, 0), line(1, 1, 2, 2)}) {
     EXPECT_THROW(makeFoldLine(sheet, bad), std::invalid_argument);
   }
   EXPECT_EQ(sheet.revision(), before.revision());

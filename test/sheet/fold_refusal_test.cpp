@@ -95,7 +95,8 @@ TEST(ReadFold, refusesImpossibleSheets) {
 TEST(ReadFold, refusesFramesThatDoNotFit) {
   json document = diagonal();
   document["frame_classes"] = json::array({"creasePattern"});
-  json form = {{"frame_inherit", true}, {"frame_classes", json::array({"foldedForm"})},
+  json form = {{"frame_inherit", true},
+               {"frame_classes", json::array({"foldedForm"})},
                {"vertices_coords", {{0, 0, 0}, {1, 0, 0}, {5, 1, 0}, {0, 1, 0}}}};
   document["file_frames"] = json::array({form});
   expectWithin(refusal(document), "file_frames[0] is no folded form of the pattern");

@@ -72,12 +72,22 @@ inline json diagonal() {
 
 /// A square of 2 x 2 units with its middle as vertex 8, border 0 .. 7, and four creases.
 inline json cross() {
-  return {{"vertices_coords",
-           {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}, {1, 1}}},
-          {"edges_vertices",
-           {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 6}, {6, 7}, {7, 0},
-            {1, 8}, {8, 5}, {8, 3}, {7, 8}}},
-          {"edges_assignment", {"B", "B", "B", "B", "B", "B", "B", "B", "M", "M", "M", "V"}}};
+  return {
+      {"vertices_coords", {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}, {1, 1}}},
+      {"edges_vertices",
+       {{0, 1},
+        {1, 2},
+        {2, 3},
+        {3, 4},
+        {4, 5},
+        {5, 6},
+        {6, 7},
+        {7, 0},
+        {1, 8},
+        {8, 5},
+        {8, 3},
+        {7, 8}}},
+      {"edges_assignment", {"B", "B", "B", "B", "B", "B", "B", "B", "M", "M", "M", "V"}}};
 }
 
 inline double area(const FoldPaper& paper) { return paper.sheet.area(); }

@@ -62,9 +62,12 @@ TEST(FoldedForm, ofOurOwnFileStandsAtEveryFineness) {
 
 /// Four pleats, two quadrilaterals long, folded to 60 degrees in turn, in centimetres.
 json pleats() {
-  json document{{"frame_unit", "cm"}, {"frame_classes", json::array({"creasePattern"})},
-                {"vertices_coords", json::array()}, {"edges_vertices", json::array()},
-                {"edges_assignment", json::array()}, {"faces_vertices", json::array()}};
+  json document{{"frame_unit", "cm"},
+                {"frame_classes", json::array({"creasePattern"})},
+                {"vertices_coords", json::array()},
+                {"edges_vertices", json::array()},
+                {"edges_assignment", json::array()},
+                {"faces_vertices", json::array()}};
   json space = json::array();
   const auto at = [](int x, int y) { return 3 * x + y; };
   for (int x = 0; x <= 4; ++x) {

@@ -33,7 +33,8 @@ class Lattice {
   }
 
   json document(Faces faces) const {
-    json result{{"vertices_coords", json::array()}, {"edges_vertices", json::array()},
+    json result{{"vertices_coords", json::array()},
+                {"edges_vertices", json::array()},
                 {"edges_assignment", json::array()}};
     for (int y = 0; y <= kCells; ++y) {
       for (int x = 0; x <= kCells; ++x) result["vertices_coords"].push_back({x, y});

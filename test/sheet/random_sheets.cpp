@@ -36,8 +36,8 @@ PlanarGraph star() {
 
 double shortestEdge(const Sheet& sheet, const Triangle& t) {
   const auto& p = sheet.flatPositions();
-  return std::min({(p[t[0]] - p[t[1]]).norm(), (p[t[1]] - p[t[2]]).norm(),
-                   (p[t[2]] - p[t[0]]).norm()});
+  return std::min(
+      {(p[t[0]] - p[t[1]]).norm(), (p[t[1]] - p[t[2]]).norm(), (p[t[2]] - p[t[0]]).norm()});
 }
 
 }  // namespace
@@ -47,18 +47,17 @@ PlanarGraph ell() {
 }
 
 PlanarGraph ring() {
-  return outlineOf({{{0, 0}, {.15, 0}, {.15, .15}, {0, .15}},
-                    {{.05, .05}, {.05, .1}, {.1, .1}, {.1, .05}}},
-                   {{.075, .075}});
+  return outlineOf(
+      {{{0, 0}, {.15, 0}, {.15, .15}, {0, .15}}, {{.05, .05}, {.05, .1}, {.1, .1}, {.1, .05}}},
+      {{.075, .075}});
 }
 
 Triangulation slits(double max_edge) {
   PlanarGraph graph;
-  graph.points = {{0, 0},     {.15, 0},   {.15, .15}, {0, .15},   {.06, 0},   {.07, .05},
-                  {.02, .03}, {.03, .12}, {.07, .1},  {.1, .1},   {.13, .1},  {.1, .07},
-                  {.1, .13}};
-  graph.segments = {{0, 4},  {4, 1},  {1, 2},  {2, 3}, {3, 0}, {4, 5}, {6, 7},
-                    {8, 9}, {9, 10}, {11, 9}, {9, 12}};
+  graph.points = {{0, 0},     {.15, 0},  {.15, .15}, {0, .15},  {.06, 0},  {.07, .05}, {.02, .03},
+                  {.03, .12}, {.07, .1}, {.1, .1},   {.13, .1}, {.1, .07}, {.1, .13}};
+  graph.segments = {{0, 4}, {4, 1}, {1, 2},  {2, 3},  {3, 0}, {4, 5},
+                    {6, 7}, {8, 9}, {9, 10}, {11, 9}, {9, 12}};
   GraphMesh mesh = meshGraph(graph, max_edge);
   openCuts(mesh, {5, 6, 7, 8, 9, 10});
   return mesh.triangulation;

@@ -58,8 +58,12 @@ TEST(SlitFolds, whatRunsAlongASlitDoesNotFold) {
   EXPECT_EQ(whole.parts, 2);
   EXPECT_NEAR(creaseLength(sheet), 2, 1e-12);
   // From, to or beyond the middle of the slit.
-  for (const auto& [x0, x1, length] : {std::array<double, 3>{0, 2.05, 1}, {2.05, 0, 1},
-                                       {2.05, 4, 1}, {4, 1.95, 1}, {1, 4, 1}, {0, 3, 1}}) {
+  for (const auto& [x0, x1, length] : {std::array<double, 3>{0, 2.05, 1},
+                                       {2.05, 0, 1},
+                                       {2.05, 4, 1},
+                                       {4, 1.95, 1},
+                                       {1, 4, 1},
+                                       {0, 3, 1}}) {
     Sheet part = slitSquare();
     EXPECT_EQ(fold(part, x0, 2, x1, 2).parts, 1);
     EXPECT_NEAR(creaseLength(part), length, 1e-12);
@@ -69,8 +73,9 @@ TEST(SlitFolds, whatRunsAlongASlitDoesNotFold) {
   for (int i = 0; i < 20; ++i) {
     const double x = random.between(1.1, 2.9);
     for (const double from : {0.0, 4.0}) {
-      Sheet level = slitSquare(), upright =
-          read(Lattice().line({2, 1}, {2, 3}, 'C').document(Faces::kNone), 1, 0.3).sheet;
+      Sheet level = slitSquare(),
+            upright =
+                read(Lattice().line({2, 1}, {2, 3}, 'C').document(Faces::kNone), 1, 0.3).sheet;
       fold(level, from, 2, x, 2);
       fold(upright, 2, from, 2, x);
       EXPECT_NEAR(creaseLength(level), 1, 1e-12);

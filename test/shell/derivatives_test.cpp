@@ -44,7 +44,8 @@ INSTANTIATE_TEST_SUITE_P(Hinges, Derivatives, testing::ValuesIn(hingeShapes()),
                          [](const auto& info) { return "shape" + std::to_string(info.index); });
 
 TEST(MembraneDerivatives, OfBothModels) {
-  for (const MembraneKind kind : {MembraneKind::kStVenantKirchhoff, MembraneKind::kDiscreteShells}) {
+  for (const MembraneKind kind :
+       {MembraneKind::kStVenantKirchhoff, MembraneKind::kDiscreteShells}) {
     for (const double stretch : {0.6, 0.9, 0.999, 1.05, 1.4}) {
       SCOPED_TRACE(stretch);
       expectAgreement(membraneError(kind, stretch));

@@ -1,7 +1,7 @@
 #include "shell/dihedral.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 

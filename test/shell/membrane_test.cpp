@@ -1,15 +1,14 @@
-#include "shell/edge_area_membrane.h"
 #include "shell/membrane.h"
+#include "shell/edge_area_membrane.h"
 
+#include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <gtest/gtest.h>
 
 namespace shell_origami {
 namespace {
 
-const std::array<Vector2, 3> kFlat{Vector2(0.01, 0.02), Vector2(0.02, 0.021),
-                                   Vector2(0.013, 0.03)};
+const std::array<Vector2, 3> kFlat{Vector2(0.01, 0.02), Vector2(0.02, 0.021), Vector2(0.013, 0.03)};
 
 TrianglePoints inSpace(double stretch) {
   TrianglePoints x;

@@ -3,8 +3,8 @@
 #include "sheet/fold_line.h"
 #include "sheet/triangulate.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <random>
 
@@ -62,10 +62,9 @@ TEST(Shell, GradientAndHessianMatchFiniteDifferences) {
   direction.normalize();
 
   const double h = 1e-7;
-  const double numeric =
-      (shell.energy(x + h * direction, angles, there) -
-       shell.energy(x - h * direction, angles, there)) /
-      (2 * h);
+  const double numeric = (shell.energy(x + h * direction, angles, there) -
+                          shell.energy(x - h * direction, angles, there)) /
+                         (2 * h);
   EXPECT_NEAR(gradient.cwiseProduct(direction).sum() / numeric, 1, 1e-6);
 
   // H d by the element blocks against the difference of gradients.
@@ -130,8 +129,8 @@ INSTANTIATE_TEST_SUITE_P(Directions, Cylinder, testing::Values(0, 0.5, 1.0, 1.5,
 TEST(Crease, StiffnessMeansTheSameAtEveryRestAngle) {
   for (const double rest : {0.0, 0.5, 2.0, 2.9, -2.9}) {
     const double d = 1e-6;
-    EXPECT_NEAR((creaseBend(rest + d, rest).value - creaseBend(rest - d, rest).value) / (2 * d),
-                1, 1e-4);
+    EXPECT_NEAR((creaseBend(rest + d, rest).value - creaseBend(rest - d, rest).value) / (2 * d), 1,
+                1e-4);
   }
 }
 
@@ -165,8 +164,8 @@ TEST(Crease, OpenedByAMomentFollowsTheClosedForm) {
   const int hinge = shell.creaseHinges()[0][0];
   for (const double theta : {0.1, 1.0, 2.0, 3.0}) {
     const double secant = 1 / std::cos(theta / 2);
-    EXPECT_NEAR(-shell.moment(hinge, theta) / (5e-3 * 2 * std::tan(theta / 2) * secant * secant),
-                1, 1e-12);
+    EXPECT_NEAR(-shell.moment(hinge, theta) / (5e-3 * 2 * std::tan(theta / 2) * secant * secant), 1,
+                1e-12);
   }
 }
 
