@@ -80,6 +80,7 @@ class Newton {
   double solve(NewtonResult& result);
   bool computeStep(const Shell& shell, const Inertia& inertia, const Positions& x,
                    NewtonResult& result);
+  bool isClose(const NewtonResult& result, double tolerance);
   bool backtrack(const Shell& shell, const Inertia& inertia);
   void remember(const Positions& x);
   void advance(Positions& x);
@@ -89,6 +90,8 @@ class Newton {
   SystemMatrix matrix_;
   Cholesky cholesky_;
   bool factorized_ = false;  ///< whether there is a factor of this solve
+  double contraction_ = 1;   ///< second step over first, in the solve that last took both
+  int unchecked_ = 0;        ///< solves since that one
   // Scratch, kept between iterations and steps.
   Base base_;
   double value_ = 0, trial_value_ = 0;
