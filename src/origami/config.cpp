@@ -29,7 +29,7 @@ void checkConfig(const SimulationConfig& config) {
   checkRange("material/hardening", config.material.hardening, -0.99, 1e6);
   checkRange("sheet/curvature", config.rest.curvature, -1e4, 1e4);
   for (int i = 0; i < 3; ++i) checkRange("gravity", config.gravity[i], -1e4, 1e4);
-  checkRange("solver/time_step", config.solver.time_step, 1e-6, 1);
+  checkRange("solver/time_step", config.solver.time_step, 1e-8, 1);
   if (config.solver.beta != 0) checkRange("solver/beta", config.solver.beta, 1e-3, 1);
   checkRange("solver/gamma", config.solver.gamma, 0.5, 1);
   checkPositive("solver/tolerance", config.solver.tolerance);
