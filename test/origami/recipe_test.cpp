@@ -76,6 +76,23 @@ TEST_F(RecipeTest, OverridesOneValue) {
             std::string::npos);
 }
 
+TEST_F(RecipeTest, ARolledSheetCurlsToItsCurvatureAtOnce) {
+  // A cylinder of 20 /m: the ends of 0.1 m stand 2 sin(1) / 20 apart.
+  Recipe recipe =
+      loadRecipe(write("sheet: {size: [0.1, 0.03], max_edge: 0.008, curvature: {value: "
+                       "20, axis_deg: 90}}\nsteps:\n  - settle: {quasi_static: true}"));
+  EXPECT_TRUE(std::get<SettleStep>(recipe.steps[0]).quasi_static);
+  RecipeRunner runner(recipe);
+  Simulation simulation = makeSimulation(recipe.sheet, recipe.config);
+  while (runner.update(simulation)) ASSERT_TRUE(simulation.step().converged);
+  EXPECT_LE(simulation.time(), 0.1);
+  const int left = simulation.sheet().nearestVertex({0, 0.015}),
+            right = simulation.sheet().nearestVertex({0.1, 0.015});
+  const double apart =
+      (simulation.positions().col(left) - simulation.positions().col(right)).norm();
+  EXPECT_NEAR(apart / (2 * std::sin(1.0) / 20), 1, 0.01);
+}
+
 TEST_F(RecipeTest, RefusesWithTheLineAndTheValue) {
   const auto expect = [this](const std::string& text, const std::string& part) {
     const std::string sentence = refusal(text);
@@ -92,7 +109,14 @@ TEST_F(RecipeTest, RefusesWithTheLineAndTheValue) {
   expect("steps:\n  - settle: {timeout: -1}", "-1");
   expect("steps:\n  - {pin: {points: [[0, 0]]}, unpin: all}", "one thing");
   expect("steps:\n  - unpin: some", "all");
+  expect("steps:\n  - settle: {quasi_static: maybe}", "quasi_static must be true or false");
   expect("steps: 3", "list");
+  expect("material: {membrane: rubber}", "discrete_shells or st_venant_kirchhoff, not 'rubber'");
+  expect("material: {crease_height_term: 2}", "true or false");
+  expect("material: {hardening: -2}", "-2");
+  expect("solver: {integrator: euler}", "'euler'");
+  expect("sheet: {curvature: {value: .nan}}", "nan");
+  expect("sheet: {curvature: 5}", "map");
   expect("material: {thickness: -1}", "-1");
   expect("solver: {max_iterations: 2.5}", "2.5");
   expect("gravity: [0, 0]", "3 numbers");
