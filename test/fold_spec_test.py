@@ -206,6 +206,9 @@ class FoldSpecTest(unittest.TestCase):
         final, frames = self.fold('miura')
         self.check_run(final, frames)
         self.assertEqual(self.check_angles(frames_of(final)[1]), 120)
+        # A film's frames state the angles of their own instant.
+        for frame in frames_of(frames)[2:]:
+            self.assertEqual(self.check_angles(frame), 120)
 
     def test_a_pattern_that_nobody_folded(self):
         final, frames = self.fold('miura', '--set', 'steps=[]')

@@ -88,13 +88,26 @@ json makeReport(const Simulation& simulation, const std::string& recipe, double 
           {"creases", std::move(creases)}};
 }
 
-json foldDocument(const Simulation& simulation, const std::string& title) {
+namespace {
+
+std::vector<FoldCrease> foldCreases(const Simulation& simulation) {
   std::vector<FoldCrease> creases;
   for (const CreaseStatus& crease : simulation.creases()) {
     const double free = std::numeric_limits<double>::quiet_NaN();
     creases.push_back({crease.angle, crease.driven ? crease.rest_angle : free});
   }
-  return writeFold(simulation.sheet(), creases, simulation.positions(), title);
+  return creases;
+}
+
+}  // namespace
+
+json foldDocument(const Simulation& simulation, const std::string& title) {
+  return writeFold(simulation.sheet(), foldCreases(simulation), simulation.positions(), title);
+}
+
+json foldFrame(const Simulation& simulation, int mesh_frame) {
+  return foldedFrame(simulation.sheet(), foldCreases(simulation), simulation.positions(),
+                     simulation.time(), mesh_frame);
 }
 
 void savePaper(const Simulation& simulation, const std::string& path) {

@@ -17,6 +17,9 @@ nlohmann::json makeReport(const Simulation& simulation, const std::string& recip
 /// The paper as it is now as a FOLD document.
 nlohmann::json foldDocument(const Simulation& simulation, const std::string& title);
 
+/// The paper as it is now as a frame of a film (foldedFrame).
+nlohmann::json foldFrame(const Simulation& simulation, int mesh_frame);
+
 /// Writes the paper as it is now to .fold, .obj, .stl or .ply, by the path's extension. The file
 /// is written beside and renamed, so that an error leaves an older one as it was.
 /// \throws std::invalid_argument for another extension, std::runtime_error when it cannot be

@@ -48,8 +48,10 @@ struct FoldCrease {
 nlohmann::json writeFold(const Sheet& sheet, const std::vector<FoldCrease>& creases,
                          const Positions& positions, const std::string& title);
 
-/// A folded form of the document's pattern at a time, to append to its file_frames.
-nlohmann::json foldedFrame(const Positions& positions, double time);
+/// A folded form at a time, to append to a document's file_frames, with its own fold angles. It
+/// brings its mesh, or where `mesh_frame` > 0 inherits that of the frame with this number.
+nlohmann::json foldedFrame(const Sheet& sheet, const std::vector<FoldCrease>& creases,
+                           const Positions& positions, double time, int mesh_frame = 0);
 
 /// The document as text, one line for each of its words.
 std::string foldText(const nlohmann::json& document);

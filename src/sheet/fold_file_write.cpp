@@ -14,11 +14,10 @@ double degrees(double radians) { return radians / M_PI * 180; }
 json orNull(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
 /// Letter and fold angle of each edge.
-void writeEdges(const Sheet& sheet, const std::vector<FoldCrease>& creases, json& document) {
-  json vertices = json::array(), kinds = json::array(), angles = json::array();
+void writeFoldAngles(const Sheet& sheet, const std::vector<FoldCrease>& creases, json& frame) {
+  json kinds = json::array(), angles = json::array();
   for (const Edge& edge : sheet.edges()) {
     const double angle = edge.crease < 0 ? 0 : creases.at(edge.crease).angle;
-    vertices.push_back(edge.vertices);
     angles.push_back(orNull(degrees(angle)));
     if (edge.onBorder()) {
       kinds.push_back("B");
@@ -28,9 +27,15 @@ void writeEdges(const Sheet& sheet, const std::vector<FoldCrease>& creases, json
       kinds.push_back(angle < 0 ? "M" : angle > 0 ? "V" : "U");
     }
   }
-  document["edges_vertices"] = std::move(vertices);
-  document["edges_assignment"] = std::move(kinds);
-  document["edges_foldAngle"] = std::move(angles);
+  frame["edges_assignment"] = std::move(kinds);
+  frame["edges_foldAngle"] = std::move(angles);
+}
+
+void writeMesh(const Sheet& sheet, json& frame) {
+  json edges = json::array();
+  for (const Edge& edge : sheet.edges()) edges.push_back(edge.vertices);
+  frame["edges_vertices"] = std::move(edges);
+  frame["faces_vertices"] = sheet.triangles();
 }
 
 json noteCreases(const Sheet& sheet, const std::vector<FoldCrease>& creases) {
@@ -71,21 +76,30 @@ json writeFold(const Sheet& sheet, const std::vector<FoldCrease>& creases,
                 {"frame_title", title},
                 {"frame_classes", {"creasePattern"}},
                 {"frame_attributes", {"2D", "manifold", "orientable"}},
-                {"frame_unit", "m"},
-                {"faces_vertices", sheet.triangles()}};
+                {"frame_unit", "m"}};
   if (!title.empty()) document["file_title"] = title;
   json coordinates = json::array();
   for (const Vector2& p : sheet.flatPositions()) coordinates.push_back({p.x(), p.y()});
   document["vertices_coords"] = std::move(coordinates);
-  writeEdges(sheet, creases, document);
+  writeMesh(sheet, document);
+  writeFoldAngles(sheet, creases, document);
   document["shell_origami:creases"] = noteCreases(sheet, creases);
   document["file_frames"] = json::array({foldedForm(positions)});
   document["file_frames"][0]["frame_title"] = title.empty() ? "folded" : title + ", folded";
   return document;
 }
 
-json foldedFrame(const Positions& positions, double time) {
+json foldedFrame(const Sheet& sheet, const std::vector<FoldCrease>& creases,
+                 const Positions& positions, double time, int mesh_frame) {
   json frame = foldedForm(positions);
+  if (mesh_frame > 0) {
+    frame["frame_parent"] = mesh_frame;
+  } else {
+    frame.erase("frame_parent");
+    frame["frame_inherit"] = false;
+    writeMesh(sheet, frame);
+  }
+  writeFoldAngles(sheet, creases, frame);
   std::ostringstream title;
   title << "t = " << time << " s";
   frame["frame_title"] = title.str();

@@ -98,20 +98,12 @@ class Frames {
   void add(const Simulation& simulation) {
     if (simulation.time() + 1e-9 < next_) return;
     next_ += every_;
-    nlohmann::json frame = foldedFrame(simulation.positions(), simulation.time());
-    if (frames_.empty() || simulation.sheet().revision() != revision_) {
+    const bool brings_mesh = frames_.empty() || simulation.sheet().revision() != revision_;
+    if (brings_mesh) {
       revision_ = simulation.sheet().revision();
-      mesh_frame_ = frames_.size() + 1;  // the key frame is number 0
-      const nlohmann::json document = foldDocument(simulation, "");
-      for (const char* word : {"faces_vertices", "edges_vertices", "edges_assignment"}) {
-        frame[word] = document.at(word);
-      }
-      frame["frame_inherit"] = false;
-      frame.erase("frame_parent");
-    } else {
-      frame["frame_parent"] = mesh_frame_;
+      mesh_frame_ = static_cast<int>(frames_.size()) + 1;  // the key frame is number 0
     }
-    frames_.push_back(std::move(frame));
+    frames_.push_back(foldFrame(simulation, brings_mesh ? 0 : mesh_frame_));
   }
   void write(const Simulation& simulation, const std::string& title, const std::string& path) {
     nlohmann::json document = foldDocument(simulation, title);
@@ -124,7 +116,7 @@ class Frames {
   double every_;
   double next_ = 0;
   std::uint32_t revision_ = 0;
-  std::size_t mesh_frame_ = 0;
+  int mesh_frame_ = 0;
   std::vector<nlohmann::json> frames_;
 };
 

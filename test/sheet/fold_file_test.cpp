@@ -341,7 +341,8 @@ TEST(WriteFold, laterFramesAreWhereThePaperEnds) {
   const Sample paper = sample();
   json document = writeFold(paper.sheet, paper.creases, paper.positions, "film");
   const Positions moved = paper.positions.array() + 0.01;
-  document["file_frames"].push_back(foldedFrame(moved, 0.25));
+  document["file_frames"].push_back(foldedFrame(paper.sheet, paper.creases, moved, 0.25, 1));
+  EXPECT_EQ(document["file_frames"][1]["edges_foldAngle"], document["edges_foldAngle"]);
   EXPECT_EQ(document["file_frames"][1]["shell_origami:time"], 0.25);
   EXPECT_EQ(*read(document, 0).positions, moved);
 }
