@@ -57,8 +57,17 @@ double waterbombMountain(double valley) {
 
 double coneSlope(double alpha) { return std::acos(1 - alpha / M_PI); }
 
-Sheet coneSheet(double alpha, double radius, double max_edge) {
-  return vertexSheet({M_PI / 2 - alpha / 2, M_PI / 2 + alpha / 2}, {1, -1}, radius, max_edge);
+Simulation foldedCone(double alpha, double radius) {
+  Simulation simulation(
+      vertexSheet({M_PI / 2 - alpha / 2, M_PI / 2 + alpha / 2}, {1, -1}, radius, radius / 10),
+      SimulationConfig());
+  FoldRequest valley = foldCrease("rho0", 176 * kDegree, 2);
+  FoldRequest mountain = foldCrease("rho1", -176 * kDegree, 2);
+  valley.stiffness = mountain.stiffness = 0.5;
+  simulation.fold(valley);
+  simulation.fold(mountain);
+  stepUntil(simulation, 5);
+  return simulation;
 }
 
 double measuredConeSlope(const Simulation& simulation, double alpha, double radius) {

@@ -49,8 +49,9 @@ double waterbombMountain(double valley);
 /// are folded shut: they take 2 alpha out of the sheet's 2 pi around it.
 double coneSlope(double alpha);
 
-/// A disc with such a pair of creases, rho0 and rho1, about the direction of y.
-Sheet coneSheet(double alpha, double radius, double max_edge);
+/// A disc with such a pair of creases, rho0 and rho1, about the direction of y, folded to 176
+/// degrees and at rest. \throws std::runtime_error
+Simulation foldedCone(double alpha, double radius);
 
 /// Slope of the border's points seen from the center, about the axis of the cone that fits them
 /// best, without those near the creases.

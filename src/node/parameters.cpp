@@ -5,6 +5,7 @@
 
 #include <ros/package.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -12,15 +13,19 @@
 namespace shell_origami {
 namespace {
 
-/// What a parameter that is a word may say.
+/// Reads a parameter that is one of a few words; `value` stays where it is not set.
 template <class Value>
-Value choice(const std::string& name, const std::string& word,
-             const std::map<std::string, Value>& choices) {
+void readChoice(ParameterReader& reader, const std::string& name,
+                const std::map<std::string, Value>& choices, Value& value) {
+  std::string word = std::find_if(choices.begin(), choices.end(), [&](const auto& entry) {
+                       return entry.second == value;
+                     })->first;
+  reader.read(name, word);
   const auto found = choices.find(word);
-  if (found != choices.end()) return found->second;
-  std::string known;
-  for (const auto& entry : choices) known += (known.empty() ? "" : " or ") + entry.first;
-  refuse("parameter ~", name, " is \"", word, "\", but must be ", known);
+  if (found == choices.end()) {
+    refuse("parameter ~", name, " is \"", word, "\", but must be ", alternatives(choices));
+  }
+  value = found->second;
 }
 
 template <class Value>
@@ -35,18 +40,14 @@ void readMaterial(ParameterReader& reader, Material& material) {
   reader.read("material/density", material.density);
   reader.read("material/crease_stiffness", material.crease_stiffness);
   reader.read("material/air_damping", material.air_damping);
-  std::string membrane = "st_venant_kirchhoff";
-  reader.read("material/membrane", membrane);
-  material.membrane = choice("material/membrane", membrane, membraneNames());
+  readChoice(reader, "material/membrane", membraneNames(), material.membrane);
   reader.read("material/crease_height_term", material.crease_height_term);
   reader.read("material/yield_curvature", material.yield_curvature);
   reader.read("material/hardening", material.hardening);
 }
 
 void readSolver(ParameterReader& reader, SolverConfig& solver) {
-  std::string integrator = "newmark";
-  reader.read("solver/integrator", integrator);
-  solver.integrator = choice("solver/integrator", integrator, integratorNames());
+  readChoice(reader, "solver/integrator", integratorNames(), solver.integrator);
   reader.read("solver/time_step", solver.time_step);
   reader.read("solver/beta", solver.beta);
   reader.read("solver/gamma", solver.gamma);
@@ -61,10 +62,8 @@ void readSheet(ParameterReader& reader, SheetSource& sheet) {
 }
 
 void readClock(ParameterReader& reader, NodeConfig& config) {
-  std::string clock = "follow";
-  reader.read("clock", clock);
-  config.clock = choice<ClockMode>("clock", clock,
-                                   {{"follow", ClockMode::kFollow}, {"lead", ClockMode::kLead}});
+  readChoice<ClockMode>(reader, "clock",
+                        {{"follow", ClockMode::kFollow}, {"lead", ClockMode::kLead}}, config.clock);
   reader.read("real_time_factor", config.real_time_factor);
 }
 

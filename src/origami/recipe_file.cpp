@@ -67,9 +67,7 @@ class Reader {
                const std::map<std::string, Value>& choices) const {
     const auto found = choices.find(text(node, what));
     if (found != choices.end()) return found->second;
-    std::string known;
-    for (const auto& entry : choices) known += (known.empty() ? "" : " or ") + entry.first;
-    refuseAt(node, what, " must be ", known, ", not '", node.Scalar(), "'");
+    refuseAt(node, what, " must be ", alternatives(choices), ", not '", node.Scalar(), "'");
   }
 
   std::vector<double> numbers(const YAML::Node& node, std::size_t count,

@@ -2,8 +2,10 @@
 /// How the core refuses what makes no sense: one sentence that names the offending value.
 #pragma once
 
+#include <map>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace shell_origami {
 
@@ -13,6 +15,14 @@ template <class... Parts>
   std::ostringstream sentence;
   (sentence << ... << parts);
   throw std::invalid_argument(sentence.str());
+}
+
+/// The words that may stand where another stood: "a or b".
+template <class Value>
+std::string alternatives(const std::map<std::string, Value>& choices) {
+  std::string words;
+  for (const auto& entry : choices) words += (words.empty() ? "" : " or ") + entry.first;
+  return words;
 }
 
 }  // namespace shell_origami

@@ -96,13 +96,7 @@ TEST(SixCreases, FoldTheSameWayFastAndSlowly) {
 TEST(Cone, SlopeOfTheApplesBowl) {
   // Closed form 10, at alpha = 15 degrees: 23.7 degrees.
   constexpr double kAlpha = 15 * kDegree, kRadius = 0.06;
-  Simulation simulation(coneSheet(kAlpha, kRadius, 0.006), SimulationConfig());
-  FoldRequest valley = foldCrease("rho0", 176 * kDegree, 2);
-  FoldRequest mountain = foldCrease("rho1", -176 * kDegree, 2);
-  valley.stiffness = mountain.stiffness = 0.5;
-  simulation.fold(valley);
-  simulation.fold(mountain);
-  stepUntil(simulation, 5);
+  const Simulation simulation = foldedCone(kAlpha, kRadius);
   EXPECT_TRUE(simulation.settled());
   const double slope = measuredConeSlope(simulation, kAlpha, kRadius) / kDegree;
   std::printf("cone of slope %.2f degrees\n", slope);
