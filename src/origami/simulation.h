@@ -31,6 +31,20 @@ struct SimulationConfig {
   Roll rest;                   ///< how the sheet is rolled up when it rests
 };
 
+/// Bounds of what a configuration may hold.
+struct Bounds {
+  double low, high;
+};
+constexpr Bounds kGravityBounds{-1e4, 1e4};  ///< of each component [m/s^2]
+constexpr Bounds kAirDampingBounds{0, 1e6};  ///< [1/s]
+
+/// What of a configuration may change while the paper moves.
+struct LiveConfig {
+  Vector3 gravity = Vector3::Zero();  ///< [m/s^2]
+  double air_damping = 0;             ///< [1/s]
+  double fold_duration = 1;           ///< of a fold that states none [s]
+};
+
 /// \throws std::invalid_argument with a sentence that names the offending parameter and value.
 void checkConfig(const SimulationConfig& config);
 
@@ -84,7 +98,7 @@ struct Counters {
 
 /// An edit the paper took. Fields that a kind does not use are empty.
 struct EditRecord {
-  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle } kind = kFold;
+  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle, kConfigure } kind = kFold;
   std::uint64_t step = 0;      ///< steps completed before it
   double time = 0;             ///< [s]
   std::uint32_t revision = 0;  ///< of the sheet after it
@@ -93,6 +107,8 @@ struct EditRecord {
   std::vector<int> vertices;   ///< fold: the polyline; pin, unpin: the vertices;
                                ///< add_vertex: the edge and the new vertex
   double angle = 0, duration = 0, stiffness = 0, fraction = 0;
+  Vector3 gravity = Vector3::Zero();  ///< configure, with air_damping and duration
+  double air_damping = 0;
 };
 
 /// Edits throw std::invalid_argument with one sentence that names the offending value, and then
@@ -115,6 +131,8 @@ class Simulation {
   std::vector<int> unpin(const std::vector<std::int64_t>& vertices = {});
   /// Adds a vertex on the edge a, b at `fraction` of its flat length from a.
   int addVertex(std::int64_t a, std::int64_t b, double fraction);
+  /// From here on the paper moves under these.
+  void configure(const LiveConfig& live);
 
   /// The edits taken since the last call, oldest first.
   std::vector<EditRecord> takeEdits();
