@@ -41,7 +41,7 @@ struct FoldResult {
 
 /// An edit the paper took. Fields that a kind does not use are empty.
 struct EditRecord {
-  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle, kCarry } kind = kFold;
+  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle, kCarry, kConfigure } kind = kFold;
   std::uint64_t step = 0;      ///< steps completed before it
   double time = 0;             ///< [s]
   std::uint32_t revision = 0;  ///< of the sheet after it
@@ -53,6 +53,8 @@ struct EditRecord {
   double angle = 0, duration = 0, stiffness = 0, fraction = 0;
   std::string frame;  ///< pin: the frame that carries the vertices; carry: the one that moves
   Pose pose;          ///< pin, carry: of the frame
+  Vector3 gravity = Vector3::Zero();  ///< configure, with air_damping and duration
+  double air_damping = 0;
 };
 
 }  // namespace shell_origami

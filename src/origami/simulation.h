@@ -60,6 +60,8 @@ class Simulation {
   std::vector<int> unpin(const std::vector<std::int64_t>& vertices = {});
   /// Adds a vertex on the edge a, b at `fraction` of its flat length from a.
   int addVertex(std::int64_t a, std::int64_t b, double fraction);
+  /// From here on the paper moves under these.
+  void configure(const LiveConfig& live);
 
   /// Takes a frame's vertices along, within the next step, to where the frame then stands.
   void carry(const std::string& frame, const Pose& pose);

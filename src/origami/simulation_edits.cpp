@@ -152,6 +152,28 @@ int Simulation::addVertex(std::int64_t a, std::int64_t b, double fraction) {
   return added.vertex;
 }
 
+void Simulation::configure(const LiveConfig& live) {
+  SimulationConfig changed = config_;
+  changed.gravity = live.gravity;
+  changed.material.air_damping = live.air_damping;
+  changed.fold_duration = live.fold_duration;
+  checkConfig(changed);
+  // The next step starts from accelerations, which jump as what causes them does.
+  const Vector3 jump = changed.gravity - config_.gravity;
+  const double drag = changed.material.air_damping - config_.material.air_damping;
+  motion_.accelerations.colwise() += jump;
+  motion_.accelerations -= drag * motion_.velocities;
+  for (int v : pinned()) motion_.accelerations.col(v).setZero();
+  config_ = changed;
+  shell_.setGravity(config_.gravity);
+  EditRecord edit;
+  edit.kind = EditRecord::kConfigure;
+  edit.gravity = live.gravity;
+  edit.air_damping = live.air_damping;
+  edit.duration = live.fold_duration;
+  record(std::move(edit));
+}
+
 /// Every edit ends here. It wakes paper that rests.
 void Simulation::record(EditRecord edit) {
   resting_ = false;
