@@ -26,18 +26,6 @@ geometry_msgs::Point point(const Vector2& p) {
   return point;
 }
 
-/// \throws std::invalid_argument unless exactly one of the alternatives is given.
-void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives) {
-  std::string all, given;
-  int count = 0;
-  for (const auto& [name, is_given] : alternatives) {
-    all += (all.empty() ? "" : ", ") + name;
-    if (is_given) given += (count++ ? " and " : "") + name;
-  }
-  if (count == 1) return;
-  refuse("give exactly one of ", all, ": the request gives ", count ? given : "none of them");
-}
-
 /// Refuses z as well, which is not used: a NaN there tells of an error elsewhere.
 template <class Point>
 void requireFinite(const std::string& name, const Point& p) {
@@ -66,6 +54,17 @@ std::optional<double> unlessZero(double value) {
 
 }  // namespace
 
+void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives) {
+  std::string all, given;
+  int count = 0;
+  for (const auto& [name, is_given] : alternatives) {
+    all += (all.empty() ? "" : ", ") + name;
+    if (is_given) given += (count++ ? " and " : "") + name;
+  }
+  if (count == 1) return;
+  refuse("give exactly one of ", all, ": the request gives ", count ? given : "none of them");
+}
+
 msg::Sheet sheetMessage(const Paper& paper, const std_msgs::Header& header) {
   const Sheet& sheet = paper.simulation().sheet();
   msg::Sheet message;
@@ -90,6 +89,20 @@ msg::Sheet sheetMessage(const Paper& paper, const std_msgs::Header& header) {
   return message;
 }
 
+std::vector<msg::CreaseState> creaseStates(const Simulation& simulation) {
+  std::vector<msg::CreaseState> states;
+  for (const CreaseStatus& crease : simulation.creases()) {
+    msg::CreaseState state;
+    state.id = crease.id;
+    state.angle = static_cast<float>(crease.angle);
+    state.rest_angle = static_cast<float>(crease.rest_angle);
+    state.target_angle = static_cast<float>(crease.target_angle);
+    state.moment = static_cast<float>(crease.moment);
+    states.push_back(state);
+  }
+  return states;
+}
+
 msg::SheetState stateMessage(const Paper& paper, const std_msgs::Header& header) {
   const Simulation& simulation = paper.simulation();
   msg::SheetState message;
@@ -100,15 +113,7 @@ msg::SheetState stateMessage(const Paper& paper, const std_msgs::Header& header)
   for (Eigen::Index i = 0; i < x.cols(); ++i) {
     message.positions.push_back(point32(x(0, i), x(1, i), x(2, i)));
   }
-  for (const CreaseStatus& crease : simulation.creases()) {
-    msg::CreaseState entry;
-    entry.id = crease.id;
-    entry.angle = static_cast<float>(crease.angle);
-    entry.rest_angle = static_cast<float>(crease.rest_angle);
-    entry.target_angle = static_cast<float>(crease.target_angle);
-    entry.moment = static_cast<float>(crease.moment);
-    message.creases.push_back(entry);
-  }
+  message.creases = creaseStates(simulation);
   message.pinned.assign(simulation.pinned().begin(), simulation.pinned().end());
   message.settled = simulation.settled();
   return message;
@@ -168,11 +173,9 @@ PinWhere pinWhere(const msg::Pin::Request& request) {
 
 msg::Edit editMessage(const EditRecord& edit) {
   static const std::map<EditRecord::Kind, std::string> kKinds = {
-      {EditRecord::kFold, msg::Edit::FOLD},
-      {EditRecord::kPin, msg::Edit::PIN},
-      {EditRecord::kUnpin, msg::Edit::UNPIN},
-      {EditRecord::kAddVertex, msg::Edit::ADD_VERTEX},
-      {EditRecord::kSettle, msg::Edit::SETTLE}};
+      {EditRecord::kFold, msg::Edit::FOLD},     {EditRecord::kPin, msg::Edit::PIN},
+      {EditRecord::kUnpin, msg::Edit::UNPIN},   {EditRecord::kAddVertex, msg::Edit::ADD_VERTEX},
+      {EditRecord::kSettle, msg::Edit::SETTLE}, {EditRecord::kHold, msg::Edit::HOLD}};
   msg::Edit message;
   message.step = edit.step;
   message.revision = edit.revision;

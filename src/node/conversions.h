@@ -8,14 +8,21 @@
 
 #include <std_msgs/Header.h>
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
 
 msg::Sheet sheetMessage(const Paper& paper, const std_msgs::Header& header);
+std::vector<msg::CreaseState> creaseStates(const Simulation& simulation);
 msg::SheetState stateMessage(const Paper& paper, const std_msgs::Header& header);
 msg::Energy energyMessage(const Paper& paper, const StepReport& step, double real_time_factor,
                           const std_msgs::Header& header);
+
+/// The alternatives of a request: their names, and whether each is given.
+/// \throws std::invalid_argument unless exactly one is.
+void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives);
 
 /// \throws std::invalid_argument unless exactly one of crease, vertices and line is given, with
 ///         two finite ends.

@@ -1,3 +1,4 @@
+#include "node/recipe_action.h"
 #include "node/services.h"
 
 int main(int argc, char** argv) {
@@ -6,6 +7,7 @@ int main(int argc, char** argv) {
   try {
     shell_origami::OrigamiNode origami(node, shell_origami::loadParameters(node));
     shell_origami::Services services(node, origami);
+    shell_origami::RecipeAction recipe_action(node, origami);
     origami.spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());

@@ -19,7 +19,7 @@ constexpr double kWaitPeriod = 0.02;
 /// How long a recorder takes from subscribing to listening [s].
 constexpr double kRecorderStart = 0.3;
 
-std::optional<RecipeRun> startRecipe(const NodeConfig& config) {
+std::optional<RecipeRun> parameterRecipe(const NodeConfig& config) {
   if (config.recipe.empty()) return std::nullopt;
   return RecipeRun(loadRecipe(findRecipe(config.recipe), config.simulation, config.sheet),
                    config.output);
@@ -45,7 +45,7 @@ Simulation paperFromFile(const NodeConfig& config, const std::string& path) {
 
 OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
     : config_(config),
-      recipe_(startRecipe(config)),
+      recipe_(parameterRecipe(config)),
       paper_(firstPaper(config, recipe_)),
       clock_(makeStepClock(node, config)),
       publishers_(node, config),
@@ -121,20 +121,38 @@ bool OrigamiNode::continueRecipe() {
   if (!recipe_) return true;
   bool held = true;
   try {
-    if (!recipe_->update(paper_.simulation())) finishRecipe();
+    if (!recipe_->update(paper_.simulation())) {
+      endRecipe();
+      // Nobody wants a finished paper to lie there as fast as the machine can.
+      if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) pause();
+    }
   } catch (const std::exception& error) {
-    stop("the recipe is abandoned: " + std::string(error.what()));
-    recipe_.reset();
+    stop(error.what());
     held = false;
   }
   publishEdits();
   return held;
 }
 
-void OrigamiNode::finishRecipe() {
+/// None is under way any more by the time the listener hears of it.
+void OrigamiNode::endRecipe(const std::string& why) {
+  if (!recipe_) return;
+  RecipeRun ended = std::move(*recipe_);
   recipe_.reset();
-  // Nobody wants a finished paper to lie there as fast as the machine can.
-  if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) pause();
+  ended.end(why);
+}
+
+void OrigamiNode::cancelRecipe(const std::string& why) {
+  if (!recipe_) return;
+  paper_.simulation().hold();
+  endRecipe(why);
+}
+
+void OrigamiNode::startRecipe(Recipe recipe, const std::string& path,
+                              RecipeRun::Listener listener) {
+  if (recipe.states("sheet")) replacePaper(makeSimulation(recipe.sheet, recipe.config), path);
+  recipe_.emplace(std::move(recipe), "", std::move(listener));
+  if (!waiting_) resume();
 }
 
 void OrigamiNode::stop(const std::string& reason) {
@@ -142,21 +160,25 @@ void OrigamiNode::stop(const std::string& reason) {
   step_.failure = reason;
   ROS_ERROR("paused at %.3f s: %s", paper_.time(), reason.c_str());
   pause();
+  endRecipe(reason);
 }
 
 void OrigamiNode::load(const std::string& path) {
-  Simulation loaded = paperFromFile(config_, path);
+  replacePaper(paperFromFile(config_, path), path);
+}
+
+void OrigamiNode::replacePaper(Simulation simulation, const std::string& path) {
   publishEdits();
-  paper_.replace(std::move(loaded));
+  endRecipe("another paper takes the place of this one");
+  paper_.replace(std::move(simulation));
   clock_->hold(paper_.time());  // it may have taken long
-  recipe_.reset();
   edited(msg::Edit::LOAD, path);
 }
 
 void OrigamiNode::reset() {
   publishEdits();
+  endRecipe("the paper is reset");
   paper_.reset();
-  recipe_.reset();
   edited(msg::Edit::RESET);
 }
 

@@ -40,12 +40,24 @@ class OrigamiNode {
   /// The paper as it was loaded. Abandons the recipe that runs.
   void reset();
 
+  /// The recipe under way; null where there is none.
+  RecipeRun* recipe() { return recipe_ ? &*recipe_ : nullptr; }
+  /// Lets time run and folds by a recipe, while none is under way: its own sheet, or the paper that
+  /// lies there where it states none.
+  /// \param path  of the recipe; empty: it was given as text
+  /// \throws std::exception and then has changed nothing.
+  void startRecipe(Recipe recipe, const std::string& path, RecipeRun::Listener listener);
+  /// Ends the recipe under way, if any. The paper stays as it is: folds under way stop where they
+  /// are.
+  void cancelRecipe(const std::string& why);
+
  private:
+  void replacePaper(Simulation simulation, const std::string& path);
   void edited(const std::string& kind, const std::string& path = "");
   void publishEdits();
   bool advance();
   bool continueRecipe();
-  void finishRecipe();
+  void endRecipe(const std::string& why = "");
   void startRecorded();
   void stop(const std::string& reason);
   double untilNextStep();

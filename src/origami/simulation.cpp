@@ -213,6 +213,14 @@ std::vector<int> Simulation::unpin(const std::vector<std::int64_t>& vertices) {
   return edit.vertices;
 }
 
+void Simulation::hold() {
+  if (!folding()) return;
+  creases_.hold(time_);
+  EditRecord edit;
+  edit.kind = EditRecord::kHold;
+  record(std::move(edit));
+}
+
 int Simulation::addVertex(std::int64_t a, std::int64_t b, double fraction) {
   checkVertex(sheet_, a);
   checkVertex(sheet_, b);

@@ -84,7 +84,7 @@ struct Counters {
 
 /// An edit the paper took. Fields that a kind does not use are empty.
 struct EditRecord {
-  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle } kind = kFold;
+  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle, kHold } kind = kFold;
   std::uint64_t step = 0;      ///< steps completed before it
   double time = 0;             ///< [s]
   std::uint32_t revision = 0;  ///< of the sheet after it
@@ -113,6 +113,8 @@ class Simulation {
   std::vector<int> pin(const PinWhere& where);
   /// Lets go of these vertices (none given: of all) and returns them.
   std::vector<int> unpin(const std::vector<std::int64_t>& vertices = {});
+  /// Stops every fold under way: its crease rests from now on at the angle its ramp has reached.
+  void hold();
   /// Adds a vertex on the edge a, b at `fraction` of its flat length from a.
   int addVertex(std::int64_t a, std::int64_t b, double fraction);
 
