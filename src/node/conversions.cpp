@@ -2,6 +2,7 @@
 
 #include "sheet/refuse.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -19,10 +20,11 @@ geometry_msgs::Point32 point32(double x, double y, double z) {
   return point;
 }
 
-geometry_msgs::Point point(const Vector2& p) {
+geometry_msgs::Point point(double x, double y, double z) {
   geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
+  point.x = x;
+  point.y = y;
+  point.z = z;
   return point;
 }
 
@@ -121,6 +123,7 @@ msg::Energy energyMessage(const Paper& paper, const StepReport& step, double rea
   message.header = header;
   message.membrane = energies.membrane;
   message.bending = energies.bending;
+  message.strain_energy = energies.strain();
   message.kinetic = energies.kinetic;
   message.gravity = energies.gravity;
   message.newton_iterations = static_cast<std::uint32_t>(step.newton_iterations);
@@ -166,6 +169,34 @@ PinWhere pinWhere(const msg::Pin::Request& request) {
   return Ball{{center.x, center.y, center.z}, request.radius};
 }
 
+Vector3 clickedPoint(const geometry_msgs::PointStamped& click) {
+  requireFinite("the click", click.point);
+  return {click.point.x, click.point.y, click.point.z};
+}
+
+msg::Picked pickedMessage(const Paper& paper, const Vector3& clicked,
+                          const std_msgs::Header& header) {
+  const Simulation& simulation = paper.simulation();
+  const Positions& positions = simulation.positions();
+  int vertex = 0;
+  const double squared = (positions.colwise() - clicked).colwise().squaredNorm().minCoeff(&vertex);
+  const Vector2& flat = simulation.sheet().flatPositions()[vertex];
+  msg::Picked message;
+  message.header = header;
+  message.revision = paper.revision();
+  message.vertex = static_cast<std::uint32_t>(vertex);
+  message.flat_position = point(flat.x(), flat.y(), 0);
+  message.position = point(positions(0, vertex), positions(1, vertex), positions(2, vertex));
+  message.distance = std::sqrt(squared);
+  for (const Crease& crease : simulation.sheet().creases()) {
+    const std::vector<int>& along = crease.vertices;
+    if (std::find(along.begin(), along.end(), vertex) == along.end()) continue;
+    if (message.crease_ids.empty()) message.crease = crease.name;
+    message.crease_ids.push_back(crease.id);
+  }
+  return message;
+}
+
 msg::Edit editMessage(const EditRecord& edit) {
   static const std::map<EditRecord::Kind, std::string> kKinds = {
       {EditRecord::kFold, msg::Edit::FOLD},     {EditRecord::kPin, msg::Edit::PIN},
@@ -176,7 +207,7 @@ msg::Edit editMessage(const EditRecord& edit) {
   message.revision = edit.revision;
   message.kind = kKinds.at(edit.kind);
   message.crease = edit.crease;
-  for (const Vector2& p : edit.line) message.line.push_back(point(p));
+  for (const Vector2& p : edit.line) message.line.push_back(point(p.x(), p.y(), 0));
   message.vertices = vertexIds(edit.vertices);
   message.angle = edit.angle;
   message.duration = edit.duration;

@@ -26,6 +26,11 @@ FoldRequest foldRequest(const msg::Fold::Request& request);
 ///         radius is given, with finite numbers.
 PinWhere pinWhere(const msg::Pin::Request& request);
 
+/// \throws std::invalid_argument unless its numbers are finite.
+Vector3 clickedPoint(const geometry_msgs::PointStamped& click);
+/// The vertex nearest to a point of the world.
+msg::Picked pickedMessage(const Paper& paper, const Vector3& point, const std_msgs::Header& header);
+
 /// The header is left open.
 msg::Edit editMessage(const EditRecord& edit);
 

@@ -1,3 +1,6 @@
+#include "node/diagnostics.h"
+#include "node/live_parameters.h"
+#include "node/picking.h"
 #include "node/services.h"
 
 #include <tf2_ros/transform_listener.h>
@@ -10,6 +13,9 @@ int main(int argc, char** argv) {
     tf2_ros::Buffer tf;
     const tf2_ros::TransformListener tf_listener(tf, node, false);
     shell_origami::Services services(node, origami, tf);
+    shell_origami::Picking picking(node, origami, tf);
+    shell_origami::LiveParameters live(node, origami);
+    shell_origami::Diagnostics diagnostics(node, origami);
     origami.spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());

@@ -17,6 +17,7 @@
 #include <shell_origami/Energy.h>
 #include <shell_origami/Fold.h>
 #include <shell_origami/Load.h>
+#include <shell_origami/Picked.h>
 #include <shell_origami/Pin.h>
 #include <shell_origami/Save.h>
 #include <shell_origami/Sheet.h>
@@ -35,6 +36,7 @@ using Sheet = SheetMessage;
 using ::shell_origami::CreaseState;
 using ::shell_origami::Edit;
 using ::shell_origami::Energy;
+using ::shell_origami::Picked;
 using ::shell_origami::SheetState;
 
 using ::shell_origami::AddVertex;

@@ -82,6 +82,15 @@ void OrigamiNode::startRecorded() {
   resume();
 }
 
+void OrigamiNode::configure(const NodeConfig& config) {
+  config_.publish_rate = config.publish_rate;
+  config_.vertex_ids = config.vertex_ids;
+  config_.real_time_factor = config.real_time_factor;
+  publishers_.showVertexIds(config.vertex_ids);
+  clock_->setFactor(config.real_time_factor, paper_.time());
+  changed_ = true;
+}
+
 void OrigamiNode::pause() {
   paused_ = true;
   waiting_ = false;
@@ -150,6 +159,7 @@ void OrigamiNode::load(const std::string& path) {
   paper_.replace(std::move(loaded));
   clock_->hold(paper_.time());  // it may have taken long
   recipe_.reset();
+  step_ = {};
   edited(msg::Edit::LOAD, path);
 }
 
@@ -157,6 +167,7 @@ void OrigamiNode::reset() {
   publishEdits();
   paper_.reset();
   recipe_.reset();
+  step_ = {};
   edited(msg::Edit::RESET);
 }
 

@@ -25,10 +25,16 @@ void Paper::reset() {
                     original_.rest_angles));
 }
 
+Counters Paper::counters() const {
+  Counters sum = counters_before_;
+  sum += simulation_.counters();
+  return sum;
+}
+
 std::vector<EditRecord> Paper::takeEdits() {
   std::vector<EditRecord> edits = simulation_.takeEdits();
   for (EditRecord& edit : edits) {
-    edit.step += steps_before_;
+    edit.step += counters_before_.steps;
     edit.time += time_before_;
     edit.revision += revision_before_;
   }
@@ -38,7 +44,7 @@ std::vector<EditRecord> Paper::takeEdits() {
 void Paper::follow(Simulation simulation) {
   const std::uint32_t next_revision = revision() + 1;
   time_before_ += simulation_.time();
-  steps_before_ += simulation_.counters().steps;
+  counters_before_ += simulation_.counters();
   simulation_ = std::move(simulation);
   revision_before_ = next_revision - simulation_.sheet().revision();
 }

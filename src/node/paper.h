@@ -9,7 +9,7 @@
 
 namespace shell_origami {
 
-/// One paper at a time. Time, steps and revision keep growing when another takes its place.
+/// One paper at a time. Time, counters and revision keep growing when another takes its place.
 class Paper {
  public:
   explicit Paper(Simulation simulation);
@@ -26,7 +26,8 @@ class Paper {
   const Simulation& simulation() const { return simulation_; }
 
   double time() const { return time_before_ + simulation_.time(); }  ///< [s]
-  std::uint64_t steps() const { return steps_before_ + simulation_.counters().steps; }
+  Counters counters() const;                                         ///< over every paper so far
+  std::uint64_t steps() const { return counters().steps; }
   std::uint32_t revision() const { return revision_before_ + simulation_.sheet().revision(); }
 
  private:
@@ -42,7 +43,7 @@ class Paper {
   Simulation simulation_;
   Original original_;
   double time_before_ = 0;
-  std::uint64_t steps_before_ = 0;
+  Counters counters_before_;
   std::uint32_t revision_before_ = 0;
 };
 

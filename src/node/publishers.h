@@ -27,6 +27,8 @@ class Publishers {
   /// holds them all whenever it starts.
   void publishEdit(msg::Edit edit, const ros::Time& stamp);
 
+  void showVertexIds(bool shown) { painter_.showVertexIds(shown); }
+
   /// Whether someone listens to all that a recording needs.
   bool recorded() const;
 

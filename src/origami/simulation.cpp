@@ -52,6 +52,15 @@ Positions flatInSpace(const Sheet& sheet) {
   return positions;
 }
 
+Counters& Counters::operator+=(const Counters& other) {
+  steps += other.steps;
+  newton_iterations += other.newton_iterations;
+  factorizations += other.factorizations;
+  retries += other.retries;
+  times += other.times;
+  return *this;
+}
+
 /// Moves the rest angles along their ramps within one step, and pins that are carried straight to
 /// where they go.
 class Simulation::StepDrive : public Drive {
@@ -234,12 +243,14 @@ void Simulation::configure(const LiveConfig& live) {
   changed.material.air_damping = live.air_damping;
   changed.fold_duration = live.fold_duration;
   checkConfig(changed);
-  // The next step starts from accelerations, which jump as what causes them does.
-  const Vector3 jump = changed.gravity - config_.gravity;
-  const double drag = changed.material.air_damping - config_.material.air_damping;
-  motion_.accelerations.colwise() += jump;
-  motion_.accelerations -= drag * motion_.velocities;
-  for (int v : pinned_) motion_.accelerations.col(v).setZero();
+  // A step starts from the accelerations of the one before, which jump as what causes them does.
+  if (counters_.steps > 0) {
+    const Vector3 jump = changed.gravity - config_.gravity;
+    const double drag = changed.material.air_damping - config_.material.air_damping;
+    motion_.accelerations.colwise() += jump;
+    motion_.accelerations -= drag * motion_.velocities;
+    for (int v : pinned_) motion_.accelerations.col(v).setZero();
+  }
   config_ = changed;
   shell_.setGravity(config_.gravity);
   EditRecord edit;

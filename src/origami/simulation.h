@@ -85,6 +85,8 @@ struct CreaseStatus {
 
 struct Energies {
   double membrane = 0, bending = 0, kinetic = 0, gravity = 0;  ///< [J]
+
+  double strain() const { return membrane + bending; }
 };
 
 /// Sums over the life of the simulation.
@@ -94,6 +96,8 @@ struct Counters {
   std::uint64_t factorizations = 0;
   std::uint64_t retries = 0;
   SolverTimes times;
+
+  Counters& operator+=(const Counters& other);
 };
 
 /// An edit the paper took. Fields that a kind does not use are empty.
