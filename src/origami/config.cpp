@@ -1,4 +1,5 @@
-#include "origami/simulation.h"
+#include "origami/config.h"
+
 #include "sheet/refuse.h"
 
 #include <cmath>
