@@ -2,6 +2,7 @@
 
 #include "sheet/refuse.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -121,6 +122,7 @@ msg::Energy energyMessage(const Paper& paper, const StepReport& step, double rea
   message.header = header;
   message.membrane = energies.membrane;
   message.bending = energies.bending;
+  message.strain_energy = energies.strain();
   message.kinetic = energies.kinetic;
   message.gravity = energies.gravity;
   message.newton_iterations = static_cast<std::uint32_t>(step.newton_iterations);
@@ -198,6 +200,34 @@ geometry_msgs::Wrench wrenchMessage(const Wrench& wrench) {
   message.torque.x = wrench.torque.x();
   message.torque.y = wrench.torque.y();
   message.torque.z = wrench.torque.z();
+  return message;
+}
+
+Vector3 clickedPoint(const geometry_msgs::PointStamped& click) {
+  requireFinite("the click", click.point);
+  return {click.point.x, click.point.y, click.point.z};
+}
+
+msg::Picked pickedMessage(const Paper& paper, const Vector3& clicked,
+                          const std_msgs::Header& header) {
+  const Simulation& simulation = paper.simulation();
+  const Positions& positions = simulation.positions();
+  int vertex = 0;
+  const double squared = (positions.colwise() - clicked).colwise().squaredNorm().minCoeff(&vertex);
+  const Vector2& flat = simulation.sheet().flatPositions()[vertex];
+  msg::Picked message;
+  message.header = header;
+  message.revision = paper.revision();
+  message.vertex = static_cast<std::uint32_t>(vertex);
+  message.flat_position = pointMessage({flat.x(), flat.y(), 0});
+  message.position = pointMessage(positions.col(vertex));
+  message.distance = std::sqrt(squared);
+  for (const Crease& crease : simulation.sheet().creases()) {
+    const std::vector<int>& along = crease.vertices;
+    if (std::find(along.begin(), along.end(), vertex) == along.end()) continue;
+    if (message.crease_ids.empty()) message.crease = crease.name;
+    message.crease_ids.push_back(crease.id);
+  }
   return message;
 }
 

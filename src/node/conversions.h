@@ -40,6 +40,10 @@ geometry_msgs::Pose poseMessage(const Pose& pose);
 /// As it stands: its quaternion may be of any length.
 Pose poseFrom(const geometry_msgs::Pose& message);
 geometry_msgs::Wrench wrenchMessage(const Wrench& wrench);
+/// \throws std::invalid_argument unless its numbers are finite.
+Vector3 clickedPoint(const geometry_msgs::PointStamped& click);
+/// The vertex nearest to a point of the world.
+msg::Picked pickedMessage(const Paper& paper, const Vector3& point, const std_msgs::Header& header);
 
 std::vector<std::uint32_t> vertexIds(const std::vector<int>& vertices);
 std::vector<std::int64_t> vertexIds(const std::vector<std::uint32_t>& vertices);

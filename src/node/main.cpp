@@ -1,3 +1,6 @@
+#include "node/diagnostics.h"
+#include "node/live_parameters.h"
+#include "node/picking.h"
 #include "node/recipe_action.h"
 #include "node/services.h"
 
@@ -13,6 +16,9 @@ int main(int argc, char** argv) {
     shell_origami::HeldFrames held_frames(origami, tf);
     shell_origami::Services services(node, origami, held_frames, tf);
     shell_origami::RecipeAction recipe_action(node, origami);
+    shell_origami::Picking picking(node, origami, tf);
+    shell_origami::LiveParameters live(node, origami);
+    shell_origami::Diagnostics diagnostics(node, origami);
     origami.spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());

@@ -19,6 +19,7 @@ class MarkerPainter {
  public:
   explicit MarkerPainter(bool vertex_ids = false) : vertex_ids_(vertex_ids) {}
 
+  void showVertexIds(bool shown) { vertex_ids_ = shown; }
   /// A sheet that names vertices it does not have is taken for none.
   void setSheet(const msg::Sheet& sheet);
   /// Whether the state belongs to the sheet that was set.

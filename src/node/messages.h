@@ -18,6 +18,7 @@
 #include <shell_origami/Fold.h>
 #include <shell_origami/FoldRecipeAction.h>
 #include <shell_origami/Load.h>
+#include <shell_origami/Picked.h>
 #include <shell_origami/Pin.h>
 #include <shell_origami/Save.h>
 #include <shell_origami/Sheet.h>
@@ -40,6 +41,7 @@ using ::shell_origami::FoldRecipeAction;
 using ::shell_origami::FoldRecipeFeedback;
 using ::shell_origami::FoldRecipeGoal;
 using ::shell_origami::FoldRecipeResult;
+using ::shell_origami::Picked;
 using ::shell_origami::SheetState;
 
 using ::shell_origami::AddVertex;

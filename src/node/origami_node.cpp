@@ -81,6 +81,15 @@ void OrigamiNode::startRecorded() {
   resume();
 }
 
+void OrigamiNode::configure(const NodeConfig& config) {
+  config_.publish_rate = config.publish_rate;
+  config_.vertex_ids = config.vertex_ids;
+  config_.real_time_factor = config.real_time_factor;
+  publishers_.showVertexIds(config.vertex_ids);
+  clock_->setFactor(config.real_time_factor, paper_.time());
+  changed_ = true;
+}
+
 void OrigamiNode::pause() {
   paused_ = true;
   waiting_ = false;
@@ -173,6 +182,7 @@ void OrigamiNode::replacePaper(Simulation simulation, const std::string& path) {
   endRecipe("another paper takes the place of this one");
   paper_.replace(std::move(simulation));
   clock_->hold(paper_.time());  // it may have taken long
+  step_ = {};
   replaced(msg::Edit::LOAD, path);
 }
 
@@ -180,6 +190,7 @@ void OrigamiNode::reset() {
   publishEdits();
   endRecipe("the paper is reset");
   paper_.reset();
+  step_ = {};
   replaced(msg::Edit::RESET);
 }
 

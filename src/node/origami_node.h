@@ -28,6 +28,10 @@ class OrigamiNode {
 
   const NodeConfig& config() const { return config_; }
   Paper& paper() { return paper_; }
+  /// Takes over what may change while the node runs: publish_rate, vertex_ids, real_time_factor.
+  void configure(const NodeConfig& config);
+  /// Of the paper as it is now. Zero: there is no ROS time yet.
+  ros::Time stamp();
 
   bool paused() const { return paused_; }
   void pause();
@@ -35,6 +39,9 @@ class OrigamiNode {
   /// Takes so many steps, whether paused or not. Returns how many held.
   std::uint32_t takeSteps(std::uint32_t count);
   const StepReport& lastStep() const { return step_; }
+  /// Simulated over elapsed time, over the last second.
+  double realTimeFactor() const { return real_time_factor_.value(); }
+  double dropped() const { return clock_->dropped(); }  ///< StepClock::dropped() [s]
 
   /// Carries held vertices (Simulation::carry) before a step of so many seconds that ends at this
   /// ROS time.
@@ -69,7 +76,6 @@ class OrigamiNode {
   void startRecorded();
   void stop(const std::string& reason);
   double untilNextStep();
-  ros::Time stamp();
   bool publishDue();
   bool movingDue();
   void publish();

@@ -12,14 +12,14 @@ Paper::Paper(const nlohmann::json& json)
       original_(json.count("original") ? snapshotFrom(json.at("original"))
                                        : simulation_.snapshot()),
       time_before_(json.at("time_before")),
-      steps_before_(json.at("steps_before")),
       edits_(json.at("edits")),
+      counters_before_(countersFrom(json.at("counters_before"))),
       revision_before_(json.at("revision_before")) {}
 
 nlohmann::json Paper::toJson() const {
   return {{"now", shell_origami::toJson(simulation_.snapshot())},
           {"time_before", time_before_},
-          {"steps_before", steps_before_},
+          {"counters_before", shell_origami::toJson(counters_before_)},
           {"edits", edits_},
           {"revision_before", revision_before_}};
 }
@@ -41,11 +41,17 @@ void Paper::reset() {
   follow(Simulation(original));
 }
 
+Counters Paper::counters() const {
+  Counters sum = counters_before_;
+  sum += simulation_.counters();
+  return sum;
+}
+
 std::vector<EditRecord> Paper::takeEdits() {
   std::vector<EditRecord> edits = simulation_.takeEdits();
   for (EditRecord& edit : edits) {
     edit.number = ++edits_;
-    edit.step += steps_before_;
+    edit.step += counters_before_.steps;
     edit.time += time_before_;
     edit.revision += revision_before_;
   }
@@ -55,8 +61,8 @@ std::vector<EditRecord> Paper::takeEdits() {
 void Paper::follow(Simulation simulation) {
   const std::uint32_t next_revision = revision() + 1;
   time_before_ += simulation_.time();
-  steps_before_ += simulation_.counters().steps;
   ++edits_;
+  counters_before_ += simulation_.counters();
   simulation_ = std::move(simulation);
   revision_before_ = next_revision - simulation_.sheet().revision();
 }

@@ -9,7 +9,8 @@
 
 namespace shell_origami {
 
-/// One paper at a time. Time, steps, edits and revision keep growing when another takes its place.
+/// One paper at a time. Time, counters, edits and revision keep growing when another takes its
+/// place.
 class Paper {
  public:
   explicit Paper(Simulation simulation);
@@ -33,7 +34,8 @@ class Paper {
   const Simulation& simulation() const { return simulation_; }
 
   double time() const { return time_before_ + simulation_.time(); }  ///< [s]
-  std::uint64_t steps() const { return steps_before_ + simulation_.counters().steps; }
+  Counters counters() const;                                         ///< over every paper so far
+  std::uint64_t steps() const { return counters().steps; }
   /// Those that takeEdits() gave, and papers that were replaced or reset.
   std::uint64_t edits() const { return edits_; }
   std::uint32_t revision() const { return revision_before_ + simulation_.sheet().revision(); }
@@ -44,8 +46,8 @@ class Paper {
   Simulation simulation_;
   Snapshot original_;
   double time_before_ = 0;
-  std::uint64_t steps_before_ = 0;
   std::uint64_t edits_ = 0;
+  Counters counters_before_;
   std::uint32_t revision_before_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include "sheet/refuse.h"
 
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace shell_origami {
@@ -111,6 +112,14 @@ void ParameterReader::read(const std::string& name, Vector3& value) {
     refuseValue(name, given, "a list of three numbers");
   }
   for (int i = 0; i < 3; ++i) value[i] = number(name, given, given[i]);
+}
+
+void ParameterReader::ignore(const std::string& folder) {
+  const std::string prefix = folder + "/";
+  for (auto entry = unread_.begin(); entry != unread_.end();) {
+    const bool within = entry->first.compare(0, prefix.size(), prefix) == 0;
+    entry = within ? unread_.erase(entry) : std::next(entry);
+  }
 }
 
 void ParameterReader::refuseUnread() const {

@@ -25,6 +25,9 @@ class ParameterReader {
   void read(const std::string& name, std::string& value);
   void read(const std::string& name, Vector3& value);
 
+  /// Passes over every parameter of this folder.
+  void ignore(const std::string& folder);
+
   /// \throws std::invalid_argument when a parameter is set that nobody has read.
   void refuseUnread() const;
 

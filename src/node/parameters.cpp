@@ -6,6 +6,7 @@
 #include <ros/package.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -76,25 +77,26 @@ void checkSimulation(const SimulationConfig& config) {
   }
 }
 
-void check(const NodeConfig& config) {
+}  // namespace
+
+void checkParameters(const NodeConfig& config) {
   checkSimulation(config.simulation);
   require(config.sheet.width > 0, "sheet/width", config.sheet.width, "positive");
   require(config.sheet.height > 0, "sheet/height", config.sheet.height, "positive");
   require(config.sheet.max_edge > 0, "sheet/max_edge", config.sheet.max_edge, "positive");
-  require(config.publish_rate >= 0.01 && config.publish_rate <= 1000, "publish_rate",
+  const auto& [slowest, fastest] = kPublishRateBounds;
+  require(config.publish_rate >= slowest && config.publish_rate <= fastest, "publish_rate",
           config.publish_rate, "from 0.01 to 1000");
   require(!config.world_frame.empty() && config.world_frame[0] != '/', "world_frame",
           '"' + config.world_frame + '"', "a frame's name without a leading slash");
-  require(config.real_time_factor >= 0, "real_time_factor", config.real_time_factor,
-          "zero or positive");
+  require(config.real_time_factor >= 0 && std::isfinite(config.real_time_factor),
+          "real_time_factor", config.real_time_factor, "zero or positive, and finite");
   if (config.clock == ClockMode::kLead && !ros::Time::isSimTime()) {
     refuse(
         "parameter ~clock is \"lead\", but that publishes /clock and needs /use_sim_time to be "
         "true");
   }
 }
-
-}  // namespace
 
 NodeConfig loadParameters(const ros::NodeHandle& private_node) {
   NodeConfig config;
@@ -112,8 +114,9 @@ NodeConfig loadParameters(const ros::NodeHandle& private_node) {
   reader.read("world_frame", config.world_frame);
   reader.read("vertex_ids", config.vertex_ids);
   readClock(reader, config);
+  reader.ignore("live");  // what dynamic_reconfigure keeps there
   reader.refuseUnread();
-  check(config);
+  checkParameters(config);
   return config;
 }
 

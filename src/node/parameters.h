@@ -15,6 +15,8 @@ enum class ClockMode {
   kLead,    ///< publishes /clock itself
 };
 
+constexpr Bounds kPublishRateBounds{0.01, 1000};  ///< [Hz]
+
 struct NodeConfig {
   SimulationConfig simulation;
   SheetSource sheet;
@@ -33,6 +35,9 @@ struct NodeConfig {
 /// \throws std::invalid_argument with one sentence that names the offending parameter and value,
 ///         for a wrong type, a value out of bounds, and a name that no parameter has.
 NodeConfig loadParameters(const ros::NodeHandle& private_node);
+
+/// \throws std::invalid_argument with the same sentences.
+void checkParameters(const NodeConfig& config);
 
 /// The path of a recipe given as a path, or by the bare name of one that comes with the package.
 /// \throws std::invalid_argument when there is no such file.

@@ -29,6 +29,8 @@ class Publishers {
 
   void publishEdit(msg::Edit edit, const ros::Time& stamp);
 
+  void showVertexIds(bool shown) { painter_.showVertexIds(shown); }
+
   /// Whether someone listens to all that a recording needs.
   bool recorded() const;
 

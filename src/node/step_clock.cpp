@@ -14,20 +14,22 @@ constexpr double kWarnPeriod = 5;
 /// How long to wait for news of /clock, which may jump at any moment [s].
 constexpr double kClockPoll = 0.005;
 
-/// Warns of time lost, at most once in kWarnPeriod.
-class LagWarning {
+/// Counts the time lost, and warns of it at most once in kWarnPeriod.
+class Lag {
  public:
   void add(double lag) {
     dropped_ += lag;
     const ros::SteadyTime now = ros::SteadyTime::now();
     if (!last_.isZero() && (now - last_).toSec() < kWarnPeriod) return;
-    ROS_WARN("the simulation cannot keep pace: dropped %.2f s", dropped_);
+    ROS_WARN("the simulation cannot keep pace: dropped %.2f s", dropped_ - told_);
     last_ = now;
-    dropped_ = 0;
+    told_ = dropped_;
   }
+  double dropped() const { return dropped_; }
 
  private:
-  double dropped_ = 0;
+  double dropped_ = 0;  ///< [s]
+  double told_ = 0;     ///< of it [s]
   ros::SteadyTime last_;
 };
 
@@ -42,7 +44,7 @@ class FollowClock : public StepClock {
     if (now.isZero()) return kClockPoll;
     const double lag = (now - stamp(t)).toSec() - time_step;
     if (lag > kMaxLag) {
-      warning_.add(lag);
+      lag_.add(lag);
       anchor(now - ros::Duration(time_step), t);
       return 0;
     }
@@ -58,6 +60,8 @@ class FollowClock : public StepClock {
     return anchor_stamp_.isZero() ? ros::Time() : anchor_stamp_ + ros::Duration(t - anchor_t_);
   }
 
+  double dropped() const override { return lag_.dropped(); }
+
  private:
   void anchor(const ros::Time& stamp, double t) {
     anchor_stamp_ = stamp;
@@ -67,7 +71,7 @@ class FollowClock : public StepClock {
   ros::Time anchor_stamp_;
   double anchor_t_ = 0;
   ros::Time last_now_;
-  LagWarning warning_;
+  Lag lag_;
 };
 
 /// Makes ROS time: stamps are simulation time, at `factor` times the pace of the wall clock. Zero
@@ -82,7 +86,7 @@ class LeadClock : public StepClock {
     const double due = anchor_t_ + factor_ * (ros::SteadyTime::now() - anchor_wall_).toSec();
     const double lag = (due - t - time_step) / factor_;
     if (lag > kMaxLag) {
-      warning_.add(lag);
+      lag_.add(lag);
       hold(t);
       return 0;
     }
@@ -102,12 +106,20 @@ class LeadClock : public StepClock {
     publisher_.publish(message);
   }
 
+  void setFactor(double factor, double t) override {
+    if (factor == factor_) return;
+    factor_ = factor;
+    hold(t);
+  }
+
+  double dropped() const override { return lag_.dropped(); }
+
  private:
   double factor_;
   ros::Publisher publisher_;
   ros::SteadyTime anchor_wall_ = ros::SteadyTime::now();
   double anchor_t_ = 0;
-  LagWarning warning_;
+  Lag lag_;
 };
 
 }  // namespace

@@ -25,6 +25,10 @@ class StepClock {
   virtual ros::Time stamp(double t) const = 0;
   /// Tells everyone that it is t now.
   virtual void announce(double) {}
+  /// From t on runs at NodeConfig::real_time_factor, if it leads.
+  virtual void setFactor(double /*factor*/, double /*t*/) {}
+  /// Time [s] that was dropped so far because the steps could not keep pace.
+  virtual double dropped() const = 0;
 };
 
 /// As NodeConfig::clock says.

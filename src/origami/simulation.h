@@ -33,6 +33,8 @@ struct CreaseStatus {
 
 struct Energies {
   double membrane = 0, bending = 0, kinetic = 0, gravity = 0;  ///< [J]
+
+  double strain() const { return membrane + bending; }
 };
 
 /// Edits throw std::invalid_argument with one sentence that names the offending value, and then

@@ -166,12 +166,14 @@ void Simulation::configure(const LiveConfig& live) {
   changed.material.air_damping = live.air_damping;
   changed.fold_duration = live.fold_duration;
   checkConfig(changed);
-  // The next step starts from accelerations, which jump as what causes them does.
-  const Vector3 jump = changed.gravity - config_.gravity;
-  const double drag = changed.material.air_damping - config_.material.air_damping;
-  motion_.accelerations.colwise() += jump;
-  motion_.accelerations -= drag * motion_.velocities;
-  for (int v : pinned()) motion_.accelerations.col(v).setZero();
+  // A step starts from the accelerations of the one before, which jump as what causes them does.
+  if (counters_.steps > 0) {
+    const Vector3 jump = changed.gravity - config_.gravity;
+    const double drag = changed.material.air_damping - config_.material.air_damping;
+    motion_.accelerations.colwise() += jump;
+    motion_.accelerations -= drag * motion_.velocities;
+    for (int v : pinned()) motion_.accelerations.col(v).setZero();
+  }
   config_ = changed;
   shell_.setGravity(config_.gravity);
   EditRecord edit;

@@ -223,22 +223,6 @@ HeldVertices readHeld(const Json& json, int vertex_count) {
   return HeldVertices(in_place, std::move(grips));
 }
 
-Json write(const Counters& counters) {
-  return {{"steps", counters.steps},
-          {"newton_iterations", counters.newton_iterations},
-          {"factorizations", counters.factorizations},
-          {"retries", counters.retries}};
-}
-
-Counters readCounters(const Json& json) {
-  Counters counters;
-  counters.steps = json.at("steps");
-  counters.newton_iterations = json.at("newton_iterations");
-  counters.factorizations = json.at("factorizations");
-  counters.retries = json.at("retries");
-  return counters;
-}
-
 Snapshot read(const Json& json) {
   const SimulationConfig config = readConfig(json.at("config"));
   checkConfig(config);
@@ -257,12 +241,37 @@ Snapshot read(const Json& json) {
           std::move(rest),
           readHeld(json.at("held"), count),
           {memory.at("contraction"), memory.at("unchecked")},
-          readCounters(json.at("counters")),
+          countersFrom(json.at("counters")),
           json.at("time"),
           json.at("resting")};
 }
 
 }  // namespace
+
+Json toJson(const Counters& counters) {
+  return {{"steps", counters.steps},
+          {"newton_iterations", counters.newton_iterations},
+          {"factorizations", counters.factorizations},
+          {"retries", counters.retries}};
+}
+
+Counters countersFrom(const Json& json) {
+  Counters counters;
+  counters.steps = json.at("steps");
+  counters.newton_iterations = json.at("newton_iterations");
+  counters.factorizations = json.at("factorizations");
+  counters.retries = json.at("retries");
+  return counters;
+}
+
+Counters& Counters::operator+=(const Counters& other) {
+  steps += other.steps;
+  newton_iterations += other.newton_iterations;
+  factorizations += other.factorizations;
+  retries += other.retries;
+  times += other.times;
+  return *this;
+}
 
 Json toJson(const Snapshot& snapshot) {
   Json ramps = Json::array();
@@ -278,7 +287,7 @@ Json toJson(const Snapshot& snapshot) {
       {"held", write(snapshot.held)},
       {"memory",
        {{"contraction", snapshot.memory.contraction}, {"unchecked", snapshot.memory.unchecked}}},
-      {"counters", write(snapshot.counters)},
+      {"counters", toJson(snapshot.counters)},
       {"time", snapshot.time},
       {"resting", snapshot.resting}};
 }

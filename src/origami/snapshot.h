@@ -19,6 +19,8 @@ struct Counters {
   std::uint64_t factorizations = 0;
   std::uint64_t retries = 0;
   SolverTimes times;
+
+  Counters& operator+=(const Counters& other);
 };
 
 /// A simulation made of it goes on as the one it was taken of, to the bit.
@@ -34,6 +36,10 @@ struct Snapshot {
   double time = 0;  ///< [s]
   bool resting = false;
 };
+
+nlohmann::json toJson(const Counters& counters);
+/// \throws nlohmann::json::exception
+Counters countersFrom(const nlohmann::json& json);
 
 /// Exact: what is read back is what was written, but for Counters::times.
 nlohmann::json toJson(const Snapshot& snapshot);

@@ -6,9 +6,10 @@ import time
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock
 
-from origami_client import NodeTest, Origami
+from origami_client import NodeTest, Origami, Recorder
 
 STEP = 1.0 / 60
 
@@ -65,13 +66,30 @@ class FollowClockTest(NodeTest):
         time.sleep(0.5)
         self.assertAlmostEqual(self.stamp(), self.clock.seconds, delta=0.3)
 
+    def test_steps_while_paused_advance_time_exactly_and_nothing_else_does(self):
+        self.origami.do('pause')
+        start = self.origami.do('step', steps=1).time
+        time.sleep(0.3)  # 0.6 s of ROS time
+        self.assertAlmostEqual(self.origami.do('step', steps=60).time, start + 60 * STEP, delta=1e-9)
+        self.clock.running = False
+        self.assertAlmostEqual(self.origami.do('step', steps=60).time, start + 120 * STEP,
+                               delta=1e-9)
+
     def test_a_jump_forward_is_not_made_up_for(self):
+        diagnostics = Recorder('/diagnostics', DiagnosticArray)
         self.clock.seconds += 1000
         time.sleep(0.3)
         self.origami.do('pause')
         time.sleep(0.1)
         time_now = self.origami.do('step', steps=1).time
         self.assertLess(time_now, 100)
+        # By how much it fell behind is told.
+        behind = [s for s in diagnostics.wait(lambda m: m.status[1].level == 1).status
+                  if s.name == 'origami: pace'][0]
+        self.assertIn('falls behind', behind.message)
+        dropped = {value.key: float(value.value) for value in behind.values}
+        self.assertAlmostEqual(dropped['dropped'], 1000, delta=1)
+        self.assertGreaterEqual(dropped['dropped_so_far'], dropped['dropped'])
 
 
 if __name__ == '__main__':

@@ -6,6 +6,7 @@ import subprocess
 
 import rospy
 import rostest
+import tf2_ros
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -39,6 +40,8 @@ class TopicsTest(NodeTest):
         cls.origami = Origami()
         cls.frames = Recorder('/tf', TFMessage)
         cls.markers = Recorder('/origami/markers', MarkerArray)
+        cls.tf = tf2_ros.Buffer()
+        cls.tf_listener = tf2_ros.TransformListener(cls.tf)
         cls.energies = Recorder('/origami/energy', Energy)
 
     def frames_at(self, stamp):
@@ -82,6 +85,12 @@ class TopicsTest(NodeTest):
             turn = turn_between(frames['panel_0'].transform, frames['panel_1'].transform)
             self.assertAlmostEqual(turn, abs(state.creases[0].angle), delta=0.03)
             self.assertAlmostEqual(turn, abs(angle), delta=0.05)
+            # As tf_echo panel_0 panel_1 shows it: about the crease, which runs along y.
+            between = self.tf.lookup_transform('panel_0', 'panel_1', state.header.stamp,
+                                               rospy.Duration(5)).transform.rotation
+            about_y = 2 * math.atan2(between.y, between.w)
+            self.assertAlmostEqual(abs(about_y), turn, delta=1e-3)
+            self.assertLess(max(abs(between.x), abs(between.z)), 1e-3)
 
     def test_markers_show_the_state(self):
         self.origami.do('fold', line=line(0, 0, SIDE, SIDE), angle=2.0, duration=0.3)
@@ -117,9 +126,24 @@ class TopicsTest(NodeTest):
         energy = self.energies.wait(lambda m: m.header.stamp == stamp)
         self.assertGreater(energy.bending, 0)
         self.assertGreater(energy.kinetic, 0)
+        self.assertEqual(energy.strain_energy, energy.membrane + energy.bending)
         self.assertGreater(energy.newton_iterations, 0)
         self.assertGreater(energy.max_strain, 0)
         self.assertLess(energy.max_strain, 0.05)
+
+    def test_energy_is_ready_for_plotting(self):
+        # What a plotting program reads: one column a figure, under its name.
+        command = ['rostopic', 'echo', '-p', '-n', '3', '/origami/energy']
+        heard = subprocess.check_output(command, timeout=10, universal_newlines=True).splitlines()
+        columns = heard[0].split(',')
+        self.assertEqual(columns[0], '%time')
+        self.assertEqual([name for name in columns if 'header' not in name][1:],
+                         ['field.' + name for name in Energy.__slots__[1:]])
+        self.assertEqual(len(heard), 4)
+        for row in heard[1:]:
+            figures = dict(zip(columns, row.split(',')))
+            for name in Energy.__slots__[1:]:
+                float(figures['field.' + name])
 
     def test_late_subscribers_see_the_paper_and_its_edits(self):
         self.origami.do('fold', line=line(0, 0, SIDE, SIDE), angle=2.0)

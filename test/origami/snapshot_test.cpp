@@ -117,6 +117,7 @@ TEST(Snapshot, EditsDoneAgainGiveTheSameBits) {
   simulation.takeEdits();
   const Snapshot start = simulation.snapshot();
   simulation.addVertex(0, simulation.sheet().edges()[0].vertices[1], 0.3);
+  simulation.configure({{0, 0.5, -3}, 2, 0.7});
   carryOn(simulation);
   Simulation again(start);
   for (const EditRecord& edit : simulation.takeEdits()) {
