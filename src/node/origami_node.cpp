@@ -144,7 +144,7 @@ void OrigamiNode::endRecipe(const std::string& why) {
 
 void OrigamiNode::cancelRecipe(const std::string& why) {
   if (!recipe_) return;
-  paper_.simulation().hold();
+  paper_.simulation().stopFolds();
   endRecipe(why);
 }
 

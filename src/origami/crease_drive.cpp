@@ -72,7 +72,7 @@ void CreaseDrive::keepTogether(double time) {
   }
 }
 
-void CreaseDrive::hold(double time) {
+void CreaseDrive::stop(double time) {
   for (FoldRamp& ramp : ramps_) {
     if (!ramp.runningAt(time)) continue;
     ramp.target = ramp.angleAt(time);

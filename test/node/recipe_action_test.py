@@ -180,7 +180,7 @@ class RecipeActionTest(NodeTest):
         crease = self.middle()
         self.assertTrue(0.3 < crease.rest_angle < 2.9, crease)
         self.assertEqual(crease.target_angle, crease.rest_angle)
-        self.assertEqual(self.origami.edits.all()[-1].kind, 'hold')
+        self.assertEqual(self.origami.edits.all()[-1].kind, 'stop')
         self.origami.do('step', steps=120)
         self.assertEqual(self.middle().rest_angle, crease.rest_angle)
         self.assertAlmostEqual(self.middle().angle, crease.rest_angle, delta=0.1)
