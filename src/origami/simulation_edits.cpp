@@ -243,6 +243,7 @@ void Simulation::redo(const EditRecord& edit) {
       if (!report.converged) refuse("it does not settle again: ", report.failure);
       break;
     }
+    case EditRecord::kStop: stopFolds(); break;
     case EditRecord::kCarry: carry(edit.frame, edit.pose); break;
   }
 }

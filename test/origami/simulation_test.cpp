@@ -97,6 +97,12 @@ TEST(Simulation, AStoppedFoldEndsWhereItIs) {
   const std::vector<EditRecord> edits = simulation.takeEdits();
   ASSERT_EQ(edits.size(), 2u);
   EXPECT_EQ(edits[1].kind, EditRecord::kStop);
+
+  Simulation again = square();
+  again.redo(edits[0]);
+  while (again.counters().steps < edits[1].step) again.step();
+  again.redo(edits[1]);
+  EXPECT_EQ(again.creases()[0].rest_angle, reached);
 }
 
 TEST(Simulation, SameCallsGiveTheSameBits) {
