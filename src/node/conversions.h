@@ -6,6 +6,8 @@
 #include "node/paper.h"
 #include "origami/simulation.h"
 
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Wrench.h>
 #include <std_msgs/Header.h>
 
 #include <string>
@@ -33,8 +35,11 @@ FoldRequest foldRequest(const msg::Fold::Request& request);
 ///         radius is given, with finite numbers.
 PinWhere pinWhere(const msg::Pin::Request& request);
 
-/// The header is left open.
-msg::Edit editMessage(const EditRecord& edit);
+geometry_msgs::Point pointMessage(const Vector3& p);
+geometry_msgs::Pose poseMessage(const Pose& pose);
+/// As it stands: its quaternion may be of any length.
+Pose poseFrom(const geometry_msgs::Pose& message);
+geometry_msgs::Wrench wrenchMessage(const Wrench& wrench);
 
 std::vector<std::uint32_t> vertexIds(const std::vector<int>& vertices);
 std::vector<std::int64_t> vertexIds(const std::vector<std::uint32_t>& vertices);

@@ -10,7 +10,8 @@ int main(int argc, char** argv) {
     shell_origami::OrigamiNode origami(node, shell_origami::loadParameters(node));
     tf2_ros::Buffer tf;
     const tf2_ros::TransformListener tf_listener(tf, node, false);
-    shell_origami::Services services(node, origami, tf);
+    shell_origami::HeldFrames held_frames(origami, tf);
+    shell_origami::Services services(node, origami, held_frames, tf);
     shell_origami::RecipeAction recipe_action(node, origami);
     origami.spin();
   } catch (const std::exception& error) {

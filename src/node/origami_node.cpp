@@ -1,6 +1,6 @@
 #include "node/origami_node.h"
 
-#include "node/conversions.h"
+#include "node/edits.h"
 
 #include <ros/callback_queue.h>
 
@@ -48,10 +48,9 @@ OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
       recipe_(parameterRecipe(config)),
       paper_(firstPaper(config, recipe_)),
       clock_(makeStepClock(node, config)),
-      publishers_(node, config),
+      publishers_(node, config, [this] { return wholePaper(); }),
       paused_(config.paused || config.wait_for_recorder),
       waiting_(config.wait_for_recorder && !config.paused) {
-  if (recipe_) edited(msg::Edit::LOAD, config.recipe);
   const Sheet& sheet = paper_.simulation().sheet();
   ROS_INFO("a sheet of %d vertices and %zu triangles is ready%s", sheet.vertexCount(),
            sheet.triangles().size(), paused_ ? ", paused" : "");
@@ -108,6 +107,8 @@ std::uint32_t OrigamiNode::takeSteps(std::uint32_t count) {
 /// pauses where it did not.
 bool OrigamiNode::advance() {
   if (!continueRecipe()) return false;
+  const double time_step = paper_.simulation().config().solver.time_step;
+  if (carrier_) carrier_(time_step, clock_->stamp(paper_.time() + time_step));
   step_ = paper_.simulation().step();
   if (!step_.converged) {
     stop(step_.failure);
@@ -172,25 +173,28 @@ void OrigamiNode::replacePaper(Simulation simulation, const std::string& path) {
   endRecipe("another paper takes the place of this one");
   paper_.replace(std::move(simulation));
   clock_->hold(paper_.time());  // it may have taken long
-  edited(msg::Edit::LOAD, path);
+  replaced(msg::Edit::LOAD, path);
 }
 
 void OrigamiNode::reset() {
   publishEdits();
   endRecipe("the paper is reset");
   paper_.reset();
-  edited(msg::Edit::RESET);
+  replaced(msg::Edit::RESET);
 }
 
-/// Tells everyone of an edit that the paper itself knows nothing of.
-void OrigamiNode::edited(const std::string& kind, const std::string& path) {
-  msg::Edit edit;
-  edit.kind = kind;
-  edit.path = path;
-  edit.step = paper_.steps();
-  edit.revision = paper_.revision();
-  publishers_.publishEdit(edit, stamp());
+/// Tells everyone of another paper.
+void OrigamiNode::replaced(const std::string& kind, const std::string& path) {
+  publishers_.publishEdit(paperMessage(paper_, kind, path), stamp());
   changed_ = true;
+}
+
+msg::Edit OrigamiNode::wholePaper() {
+  publishEdits();
+  msg::Edit edit = paperMessage(paper_, msg::Edit::PAPER);
+  edit.header.stamp = stamp();
+  edit.header.frame_id = config_.world_frame;
+  return edit;
 }
 
 /// Tells everyone of the edits that the paper took, be they of a request or of the recipe.
@@ -224,6 +228,7 @@ bool OrigamiNode::movingDue() {
 }
 
 void OrigamiNode::publish() {
+  publishEdits();
   const ros::SteadyTime wall = ros::SteadyTime::now();
   const ros::Time stamp = this->stamp();
   real_time_factor_.sample(wall.toSec(), paper_.time());

@@ -9,9 +9,11 @@
 #include "node/step_clock.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace shell_origami {
 
@@ -34,6 +36,11 @@ class OrigamiNode {
   std::uint32_t takeSteps(std::uint32_t count);
   const StepReport& lastStep() const { return step_; }
 
+  /// Carries held vertices (Simulation::carry) before a step of so many seconds that ends at this
+  /// ROS time.
+  using Carrier = std::function<void(double time_step, const ros::Time& end)>;
+  void setCarrier(Carrier carrier) { carrier_ = std::move(carrier); }
+
   /// Puts the paper of a FOLD file or a recipe in the place of this one, and abandons the recipe
   /// that runs. \throws std::exception and then has changed nothing.
   void load(const std::string& path);
@@ -53,7 +60,8 @@ class OrigamiNode {
 
  private:
   void replacePaper(Simulation simulation, const std::string& path);
-  void edited(const std::string& kind, const std::string& path = "");
+  void replaced(const std::string& kind, const std::string& path = "");
+  msg::Edit wholePaper();
   void publishEdits();
   bool advance();
   bool continueRecipe();
@@ -71,6 +79,7 @@ class OrigamiNode {
   Paper paper_;
   std::unique_ptr<StepClock> clock_;
   Publishers publishers_;
+  Carrier carrier_;
   RealTimeFactor real_time_factor_;
   StepReport step_;  ///< the last one
   bool paused_;
