@@ -137,14 +137,6 @@ std::vector<int> Simulation::unpin(const std::vector<std::int64_t>& vertices) {
   return edit.vertices;
 }
 
-void Simulation::stopFolds() {
-  if (!folding()) return;
-  creases_.stop(time_);
-  EditRecord edit;
-  edit.kind = EditRecord::kStop;
-  record(std::move(edit));
-}
-
 int Simulation::addVertex(std::int64_t a, std::int64_t b, double fraction) {
   checkVertex(sheet_, a);
   checkVertex(sheet_, b);
@@ -251,7 +243,6 @@ void Simulation::redo(const EditRecord& edit) {
       if (!report.converged) refuse("it does not settle again: ", report.failure);
       break;
     }
-    case EditRecord::kStop: stopFolds(); break;
     case EditRecord::kCarry: carry(edit.frame, edit.pose); break;
     case EditRecord::kStop: stopFolds(); break;
     case EditRecord::kConfigure: configure({edit.gravity, edit.air_damping, edit.duration}); break;
