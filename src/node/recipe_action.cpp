@@ -40,8 +40,7 @@ Recipe recipeOf(const msg::FoldRecipeGoal& goal, const std::string& path,
 RecipeAction::RecipeAction(ros::NodeHandle& node, OrigamiNode& origami)
     : origami_(origami),
       server_(
-          node, "fold_recipe", [this](Goal goal) { receive(goal); },
-          [this](Goal goal) { cancel(goal); }, false) {
+          node, [this](Goal goal) { receive(goal); }, [this](Goal goal) { cancel(goal); }) {
   const ros::WallDuration period(1 / origami.config().publish_rate);
   feedback_ = node.createWallTimer(period, [this](const ros::WallTimerEvent&) {
     if (goal_) publishFeedback(*origami_.recipe());

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "node/origami_node.h"
-
-#include <actionlib/server/action_server.h>
+#include "node/recipe_server.h"
 
 #include <optional>
 #include <string>
@@ -22,8 +21,7 @@ class RecipeAction {
   ~RecipeAction();
 
  private:
-  using Server = actionlib::ActionServer<msg::FoldRecipeAction>;
-  using Goal = Server::GoalHandle;
+  using Goal = RecipeServer::GoalHandle;
 
   void receive(Goal goal);
   void cancel(Goal goal);
@@ -32,7 +30,7 @@ class RecipeAction {
   msg::FoldRecipeResult result();
 
   OrigamiNode& origami_;
-  Server server_;
+  RecipeServer server_;
   std::optional<Goal> goal_;  ///< under way
   ros::WallTimer feedback_;
 };

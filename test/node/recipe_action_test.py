@@ -13,7 +13,7 @@ import time
 import actionlib
 import rospy
 import rostest
-from actionlib_msgs.msg import GoalStatus, GoalStatusArray
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 
 from origami_client import NodeTest, Recorder, line
 from shell_origami.msg import (FoldRecipeAction, FoldRecipeActionFeedback, FoldRecipeActionResult,
@@ -66,7 +66,7 @@ REJECTIONS = [
     (dict(yaml='solver: {gamma: 0.7}'), ['solver', 'no sheet']),
     (dict(yaml='gravity: [0, 0, -9.81]'), ['gravity', 'no sheet']),
     (dict(yaml='#' * 20000000), ['20000000', 'bytes']),
-    (dict(yaml='{%s: 1}' % ('x' * 900000)), ['xxx', '...']),
+    (dict(yaml='gravity: [%s, 0, 0]' % ('x' * 900000)), ['xxx', '...']),
     (dict(yaml='[' * 100000), ['yaml']),
     (dict(yaml='steps: [&s {fold: [&f {crease: all, angle_deg: 1}%s]}%s]' % (', *f' * 5000, ', *s' * 5000)),
      ['1000000 values']),
@@ -136,7 +136,7 @@ class RecipeActionTest(NodeTest):
         return self.origami.state().creases[0]
 
     def is_paused(self):
-        return self.origami.call('step', steps=1).success
+        return 'to be paused' not in self.origami.call('step', steps=1).message
 
     def test_a_recipe_is_folded(self):
         before = self.origami.sheet().revision
@@ -233,6 +233,20 @@ class RecipeActionTest(NodeTest):
         self.assertEqual(after.revision, before.revision)
         self.assertEqual(len(self.origami.edits.all()), edits)
         self.assertTrue(self.is_paused())
+
+    def test_cancel_requests_of_any_time_and_id(self):
+        """A server of actionlib's own dies of the first."""
+        cancel = self.client.pub_cancel
+        ages = rospy.Time(4294967295, 999999999)
+        cancel.publish(GoalID(id='unknown', stamp=ages))
+        for i in range(200):
+            cancel.publish(GoalID(id='unknown %d' % i))
+        goal = Goal(self.client, yaml=LONG)
+        goal.wait_for_progress(0.001)
+        self.assertFalse(goal.ended.is_set())
+        cancel.publish(GoalID(stamp=ages))
+        self.assertEnds(goal, GoalStatus.PREEMPTED)
+        self.assertEnds(Goal(self.client, yaml=QUICK), GoalStatus.SUCCEEDED)
 
     def test_folds_of_services_take_part(self):
         goal = Goal(self.client, yaml=LONG)

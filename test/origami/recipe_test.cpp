@@ -125,6 +125,29 @@ TEST_F(RecipeTest, RefusesWithTheLineAndTheValue) {
   EXPECT_THROW(loadRecipe("/nowhere/at_all.yaml"), std::invalid_argument);
 }
 
+TEST_F(RecipeTest, IsReadFromTextToo) {
+  const Recipe recipe = readRecipe("steps:\n  - settle: {timeout: 3}");
+  ASSERT_EQ(recipe.steps.size(), 1u);
+  EXPECT_TRUE(recipe.states("steps"));
+  EXPECT_FALSE(recipe.states("sheet"));
+  EXPECT_TRUE(readRecipe(kGood).states("sheet"));
+  try {
+    readRecipe("steps:\n  - wave: hello");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("yaml, line 2: ", 0), 0u) << error.what();
+  }
+}
+
+TEST_F(RecipeTest, RefusesShortTextThatUnfoldsToMillionsOfFolds) {
+  std::string folds, steps;
+  for (int i = 0; i < 1000; ++i) folds += ", *f", steps += ", *s";
+  EXPECT_NE(
+      refusal("steps: [&s {fold: [&f {crease: all, angle_deg: 1}" + folds + "]}" + steps + "]")
+          .find("1000000 values"),
+      std::string::npos);
+}
+
 TEST_F(RecipeTest, RunnerCarriesItOut) {
   RecipeRunner runner(loadRecipe(write(kGood)));
   Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config);

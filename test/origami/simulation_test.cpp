@@ -80,6 +80,31 @@ TEST(Simulation, InterruptedRampGoesOnFromWhereItIs) {
   EXPECT_DOUBLE_EQ(simulation.creases()[0].rest_angle, halfway);
 }
 
+TEST(Simulation, AStoppedFoldEndsWhereItIs) {
+  Simulation simulation = square();
+  simulation.fold(diagonal(120 * kDegree));
+  while (simulation.time() < 0.2) simulation.step();
+  const double reached = simulation.creases()[0].rest_angle;
+  EXPECT_GT(reached, 20 * kDegree);
+  EXPECT_LT(reached, 100 * kDegree);
+  simulation.stopFolds();
+  EXPECT_FALSE(simulation.folding());
+  settle(simulation);
+  EXPECT_DOUBLE_EQ(simulation.creases()[0].rest_angle, reached);
+  EXPECT_DOUBLE_EQ(simulation.creases()[0].target_angle, reached);
+  EXPECT_NEAR(simulation.creases()[0].angle, reached, 0.3 * kDegree);
+  simulation.stopFolds();  // nothing is under way
+  const std::vector<EditRecord> edits = simulation.takeEdits();
+  ASSERT_EQ(edits.size(), 2u);
+  EXPECT_EQ(edits[1].kind, EditRecord::kStop);
+
+  Simulation again = square();
+  again.redo(edits[0]);
+  while (again.counters().steps < edits[1].step) again.step();
+  again.redo(edits[1]);
+  EXPECT_EQ(again.creases()[0].rest_angle, reached);
+}
+
 TEST(Simulation, SameCallsGiveTheSameBits) {
   const auto run = [] {
     Simulation simulation = square();
