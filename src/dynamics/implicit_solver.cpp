@@ -19,6 +19,11 @@ void placeHeld(const Loading& loading, Positions& x) {
 ImplicitSolver::ImplicitSolver(const SolverConfig& config)
     : tolerance_(config.tolerance), max_iterations_(config.max_iterations) {}
 
+void ImplicitSolver::topologyChanged() {
+  stale_ = true;
+  newton_.recall({});
+}
+
 bool ImplicitSolver::solve(const Loading& loading, const Inertia& inertia, const Positions& start,
                            double dt, const Positions& before, Positions& x, StepReport& report) {
   if (std::exchange(stale_, false)) {

@@ -12,7 +12,10 @@ class ImplicitSolver {
   explicit ImplicitSolver(const SolverConfig& config);
 
   /// Says that topology or held vertices changed: the next solve makes its matrix anew.
-  void topologyChanged() { stale_ = true; }
+  void topologyChanged();
+
+  const SolverMemory& memory() const { return newton_.memory(); }
+  void recall(const SolverMemory& memory) { newton_.recall(memory); }
 
   /// The minimum of energy and inertia into x, within the tolerance. The search begins at `start`,
   /// or where that throws a hinge through 180 degrees, at `before`.

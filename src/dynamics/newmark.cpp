@@ -22,11 +22,12 @@ bool Newmark::step(const Loading& loading, double dt, Motion& motion, StepReport
   start_ = predicted_ + beta_ * dt * dt * motion.accelerations;
   if (!solver_.solve(loading, inertia_, start_, dt, motion.positions, x_, report)) return false;
   motion.accelerations = (x_ - predicted_) / (beta_ * dt * dt);
+  before_.swap(motion.velocities);
   motion.velocities = velocity_ + gamma_ * dt * motion.accelerations;
   for (int v = 0; v < static_cast<int>(x_.cols()); ++v) {
     if (loading.free[v]) continue;
     motion.velocities.col(v) = (x_.col(v) - motion.positions.col(v)) / dt;
-    motion.accelerations.col(v).setZero();
+    motion.accelerations.col(v) = (motion.velocities.col(v) - before_.col(v)) / dt;
   }
   motion.positions.swap(x_);
   return true;

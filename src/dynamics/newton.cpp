@@ -51,7 +51,6 @@ void Newton::setTopology(const Shell& shell, const std::vector<bool>& free) {
   }
   matrix_ = SystemMatrix(shell, unknown_, unknown_count_);
   cholesky_.analyze(matrix_);
-  contraction_ = 1;
 }
 
 double Newton::objective(const Shell& shell, const Inertia& inertia, const Positions& x,
@@ -132,7 +131,7 @@ bool Newton::computeStep(const Shell& shell, const Inertia& inertia, const Posit
   const bool old = factorized_;
   if (!old && !factorize(shell, inertia, x, result)) return false;
   double length = solve(result);
-  if (old && result.iterations == 2) contraction_ = length / result.last_step;
+  if (old && result.iterations == 2) memory_.contraction = length / result.last_step;
   if (old && !(length < kShrinks * result.last_step)) {
     if (!factorize(shell, inertia, x, result)) return false;
     length = solve(result);
@@ -149,9 +148,9 @@ bool Newton::computeStep(const Shell& shell, const Inertia& inertia, const Posit
 /// last looked at (Hairer & Wanner, Solving Ordinary Differential Equations II, section IV.8).
 bool Newton::isClose(const NewtonResult& result, double tolerance) {
   if (result.last_step <= tolerance) return true;
-  const bool expected = result.iterations == 1 && unchecked_ < kUnchecked &&
-                        kSafety * contraction_ * result.last_step <= tolerance;
-  unchecked_ = expected ? unchecked_ + 1 : 0;
+  const bool expected = result.iterations == 1 && memory_.unchecked < kUnchecked &&
+                        kSafety * memory_.contraction * result.last_step <= tolerance;
+  memory_.unchecked = expected ? memory_.unchecked + 1 : 0;
   return expected;
 }
 

@@ -30,6 +30,12 @@ struct SolverTimes {
   SolverTimes& operator+=(const SolverTimes& other);
 };
 
+/// What one solve leaves to the next.
+struct SolverMemory {
+  double contraction = 1;  ///< second step over first, in the solve that last took both
+  int unchecked = 0;       ///< solves since that one
+};
+
 struct NewtonResult {
   bool converged = false;
   int iterations = 0;
@@ -53,6 +59,9 @@ class Newton {
  public:
   /// Tells it that topology or pins changed. `free[v]` is false for held vertices.
   void setTopology(const Shell& shell, const std::vector<bool>& free);
+
+  const SolverMemory& memory() const { return memory_; }
+  void recall(const SolverMemory& memory) { memory_ = memory; }
 
   /// Moves x from where it starts to the minimum, within `tolerance` [m]. No hinge is carried
   /// through 180 degrees and no triangle collapses on the way from `before`, where the paper was
@@ -90,8 +99,7 @@ class Newton {
   SystemMatrix matrix_;
   Cholesky cholesky_;
   bool factorized_ = false;  ///< whether there is a factor of this solve
-  double contraction_ = 1;   ///< second step over first, in the solve that last took both
-  int unchecked_ = 0;        ///< solves since that one
+  SolverMemory memory_;
   // Scratch, kept between iterations and steps.
   Base base_;
   double value_ = 0, trial_value_ = 0;

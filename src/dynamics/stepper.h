@@ -25,6 +25,11 @@ class Stepper {
   /// Says that topology or pins changed. `free[v]` is false for held vertices.
   void setTopology(std::vector<bool> free);
 
+  /// What steps leave to the next one, for a stepper that goes on where another stood.
+  const SolverMemory& memory() const { return solver_->memory(); }
+  /// \pre setTopology() was called
+  void recall(const SolverMemory& memory) { solver_->recall(memory); }
+
   /// Advances `motion` by one time step. `air_damping` [1/s] is mass-proportional. A step that
   /// fails is cut in two, again and again down to time_step / 1024; if that fails too, `motion` is
   /// left as it was and the report says why.

@@ -168,11 +168,9 @@ PinWhere pinWhere(const msg::Pin::Request& request) {
 
 msg::Edit editMessage(const EditRecord& edit) {
   static const std::map<EditRecord::Kind, std::string> kKinds = {
-      {EditRecord::kFold, msg::Edit::FOLD},
-      {EditRecord::kPin, msg::Edit::PIN},
-      {EditRecord::kUnpin, msg::Edit::UNPIN},
-      {EditRecord::kAddVertex, msg::Edit::ADD_VERTEX},
-      {EditRecord::kSettle, msg::Edit::SETTLE}};
+      {EditRecord::kFold, msg::Edit::FOLD},     {EditRecord::kPin, msg::Edit::PIN},
+      {EditRecord::kUnpin, msg::Edit::UNPIN},   {EditRecord::kAddVertex, msg::Edit::ADD_VERTEX},
+      {EditRecord::kSettle, msg::Edit::SETTLE}, {EditRecord::kConfigure, msg::Edit::CONFIGURE}};
   msg::Edit message;
   message.step = edit.step;
   message.revision = edit.revision;
@@ -184,6 +182,10 @@ msg::Edit editMessage(const EditRecord& edit) {
   message.duration = edit.duration;
   message.stiffness = edit.stiffness;
   message.fraction = edit.fraction;
+  message.gravity.x = edit.gravity.x();
+  message.gravity.y = edit.gravity.y();
+  message.gravity.z = edit.gravity.z();
+  message.air_damping = edit.air_damping;
   return message;
 }
 

@@ -1,11 +1,15 @@
 #include "node/services.h"
 
+#include <tf2_ros/transform_listener.h>
+
 int main(int argc, char** argv) {
   ros::init(argc, argv, "origami");
   ros::NodeHandle node("~");
   try {
     shell_origami::OrigamiNode origami(node, shell_origami::loadParameters(node));
-    shell_origami::Services services(node, origami);
+    tf2_ros::Buffer tf;
+    const tf2_ros::TransformListener tf_listener(tf, node, false);
+    shell_origami::Services services(node, origami, tf);
     origami.spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());

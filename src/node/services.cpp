@@ -1,10 +1,9 @@
 #include "node/services.h"
 
 #include "node/conversions.h"
+#include "node/tf_point.h"
 #include "origami/report.h"
 #include "sheet/refuse.h"
-
-#include <tf2_eigen/tf2_eigen.h>
 
 #include <filesystem>
 #include <string>
@@ -42,8 +41,8 @@ void requirePath(const std::string& path) {
 
 }  // namespace
 
-Services::Services(ros::NodeHandle& node, OrigamiNode& origami)
-    : origami_(origami), tf_listener_(tf_, node, false) {
+Services::Services(ros::NodeHandle& node, OrigamiNode& origami, const tf2_ros::Buffer& tf)
+    : origami_(origami), tf_(tf) {
   servers_ = {
       node.advertiseService("fold", &Services::fold, this),
       node.advertiseService("pin", &Services::pin, this),
@@ -83,7 +82,8 @@ bool Services::pin(msg::Pin::Request& request, msg::Pin::Response& response) {
     }
     PinWhere where = pinWhere(request);
     if (auto* ball = std::get_if<Ball>(&where)) {
-      ball->center = toWorld(ball->center, request.center.header);
+      ball->center = toWorld("center", ball->center, request.center.header,
+                             origami_.config().world_frame, tf_);
     }
     const std::vector<int> vertices = origami_.paper().simulation().pin(where);
     response.vertices = vertexIds(vertices);
@@ -175,18 +175,6 @@ bool Services::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& r
     origami_.reset();
     return std::string("the paper is as it was loaded");
   });
-}
-
-/// \throws std::invalid_argument when TF does not know the way.
-Vector3 Services::toWorld(const Vector3& point, const std_msgs::Header& header) const {
-  const std::string& world = origami_.config().world_frame;
-  if (header.frame_id.empty() || header.frame_id == world) return point;
-  try {
-    return tf2::transformToEigen(tf_.lookupTransform(world, header.frame_id, header.stamp)) * point;
-  } catch (const tf2::TransformException& error) {
-    refuse("center is in frame \"", header.frame_id, "\", which TF cannot bring to \"", world,
-           "\": ", error.what());
-  }
 }
 
 }  // namespace shell_origami

@@ -6,7 +6,6 @@
 
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <vector>
 
@@ -14,7 +13,8 @@ namespace shell_origami {
 
 class Services {
  public:
-  Services(ros::NodeHandle& node, OrigamiNode& origami);
+  /// \param tf  what is heard on /tf; must live as long
+  Services(ros::NodeHandle& node, OrigamiNode& origami, const tf2_ros::Buffer& tf);
 
  private:
   bool fold(msg::Fold::Request& request, msg::Fold::Response& response);
@@ -29,11 +29,8 @@ class Services {
   bool resume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
 
-  Vector3 toWorld(const Vector3& point, const std_msgs::Header& header) const;
-
   OrigamiNode& origami_;
-  tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener tf_listener_;
+  const tf2_ros::Buffer& tf_;
   std::vector<ros::ServiceServer> servers_;
 };
 

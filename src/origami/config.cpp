@@ -1,4 +1,5 @@
-#include "origami/simulation.h"
+#include "origami/config.h"
+
 #include "sheet/refuse.h"
 
 #include <cmath>
@@ -24,11 +25,14 @@ void checkConfig(const SimulationConfig& config) {
   checkPositive("material/thickness", config.material.thickness);
   checkPositive("material/density", config.material.density);
   checkRange("material/crease_stiffness", config.material.crease_stiffness, 1e-9, 100);
-  checkRange("material/air_damping", config.material.air_damping, 0, 1e6);
+  checkRange("material/air_damping", config.material.air_damping, kAirDampingBounds.low,
+             kAirDampingBounds.high);
   checkRange("material/yield_curvature", config.material.yield_curvature, 0, 1e6);
   checkRange("material/hardening", config.material.hardening, -0.99, 1e6);
   checkRange("sheet/curvature", config.rest.curvature, -1e4, 1e4);
-  for (int i = 0; i < 3; ++i) checkRange("gravity", config.gravity[i], -1e4, 1e4);
+  for (int i = 0; i < 3; ++i) {
+    checkRange("gravity", config.gravity[i], kGravityBounds.low, kGravityBounds.high);
+  }
   checkRange("solver/time_step", config.solver.time_step, 1e-8, 1);
   if (config.solver.beta != 0) checkRange("solver/beta", config.solver.beta, 1e-3, 1);
   checkRange("solver/gamma", config.solver.gamma, 0.5, 1);

@@ -6,6 +6,7 @@
 #include "sheet/remap.h"
 #include "shell/rest_shape.h"
 
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
@@ -21,7 +22,12 @@ class CreaseDrive {
   CreaseDrive(const std::vector<double>& rest_angles, double stiffness, const Shell& shell,
               const Positions& positions);
 
+  /// Creases that move by these ramps.
+  CreaseDrive(std::vector<FoldRamp> ramps, double stiffness)
+      : ramps_(std::move(ramps)), stiffness_(stiffness) {}
+
   const std::vector<FoldRamp>& ramps() const { return ramps_; }
+  double stiffness() const { return stiffness_; }
   bool runningAt(double time) const;
 
   /// Starts a fold from where the crease rests, so that no moment jumps; a free one from the angle

@@ -10,9 +10,6 @@
 namespace shell_origami {
 namespace {
 
-/// Beyond this [N*m/rad per m], 20,000 times a paper's crease, the matrix of a step is too badly
-/// conditioned to be factorized.
-constexpr double kStiffest = 100;
 /// Slower than these parts of the sheet's size per second (squared), nothing is seen to move.
 constexpr double kSettledSpeed = 0.005;
 constexpr double kSettledAcceleration = 0.1;
@@ -23,19 +20,6 @@ constexpr double kAtRest = 0.01;
 SimulationConfig checked(const SimulationConfig& config) {
   checkConfig(config);
   return config;
-}
-
-void checkFold(const FoldRequest& request) {
-  if (!(std::abs(request.angle) < M_PI)) {
-    refuse("angle ", request.angle, " rad is not inside (-pi, pi)");
-  }
-  if (request.duration && !(*request.duration >= 0 && std::isfinite(*request.duration))) {
-    refuse("duration ", *request.duration, " s is negative or not finite");
-  }
-  if (request.stiffness && !(*request.stiffness > 0 && *request.stiffness <= kStiffest)) {
-    refuse("stiffness ", *request.stiffness, " N*m/rad per m is not positive and at most ",
-           kStiffest);
-  }
 }
 
 double rootMeanSquare(const Positions& values) {
@@ -52,8 +36,8 @@ Positions flatInSpace(const Sheet& sheet) {
   return positions;
 }
 
-/// Moves the rest angles along their ramps within one step, and pins that are carried straight to
-/// where they go.
+/// Moves the rest angles along their ramps within one step, and vertices that frames hold along
+/// with these.
 class Simulation::StepDrive : public Drive {
  public:
   explicit StepDrive(const Simulation& simulation) : simulation_(simulation) {}
@@ -61,9 +45,7 @@ class Simulation::StepDrive : public Drive {
   void moveTo(double s, Shell& shell, Positions& held) override {
     const double t = simulation_.time_ + s * simulation_.config_.solver.time_step;
     simulation_.creases_.apply(t, shell);
-    for (const auto& [v, way] : simulation_.carried_) {
-      held.col(v) = (1 - s) * way.from + s * way.to;
-    }
+    simulation_.held_.place(s, held);
   }
 
  private:
@@ -95,68 +77,25 @@ Simulation::Simulation(Sheet sheet, const SimulationConfig& config, const Positi
   topologyChanged();
 }
 
-FoldResult Simulation::fold(const FoldRequest& request) {
-  checkFold(request);
-  if (const auto* named = std::get_if<CreaseName>(&request.where)) {
-    return foldNamed(named->name, request);
-  }
-  if (const auto* line = std::get_if<Line>(&request.where)) return foldLine(*line, request);
-  const auto [a, b] = std::get<VertexPair>(request.where).vertices;
-  checkVertex(sheet_, a);
-  checkVertex(sheet_, b);
-  if (a == b) refuse("both ends of the line are vertex ", a);
-  return foldLine({sheet_.flatPositions()[a], sheet_.flatPositions()[b]}, request);
+Simulation::Simulation(const Snapshot& snapshot)
+    : config_(checked(snapshot.config)),
+      sheet_(snapshot.sheet),
+      shell_(sheet_, config_.material, config_.gravity),
+      motion_(snapshot.motion),
+      creases_(snapshot.creases),
+      rest_(snapshot.rest),
+      held_(snapshot.held),
+      stepper_(config_.solver),
+      counters_(snapshot.counters),
+      time_(snapshot.time),
+      resting_(snapshot.resting) {
+  topologyChanged();
+  stepper_.recall(snapshot.memory);
 }
 
-FoldResult Simulation::foldLine(const Line& line, const FoldRequest& request) {
-  const std::vector<Crease> creases_before = sheet_.creases();
-  FoldLine made = makeFoldLine(sheet_, line, request.name, {&motion_.positions, pinned_});
-  follow(made.remap, creases_before);
-  for (std::uint32_t id : made.crease_ids) {
-    startRamp(sheet_.creaseIndex(id), request.angle, request);
-  }
-  creases_.keepTogether(time_);
-  EditRecord edit = foldRecord(request, made.vertices);
-  edit.line = {line[0], line[1]};
-  record(std::move(edit));
-  return {std::move(made.crease_ids), std::move(made.vertices), made.parts};
-}
-
-FoldResult Simulation::foldNamed(const std::string& name, const FoldRequest& request) {
-  FoldResult result;
-  for (std::size_t i = 0; i < sheet_.creases().size(); ++i) {
-    const Crease& crease = sheet_.creases()[i];
-    const bool in_group = (name == "mountains" && crease.pattern_angle < 0) ||
-                          (name == "valleys" && crease.pattern_angle > 0) ||
-                          (name == "all" && std::abs(crease.pattern_angle) > 0);
-    if (!in_group && crease.name != name) continue;
-    const bool flips = name == "all" && crease.pattern_angle < 0;
-    startRamp(static_cast<int>(i), flips ? -request.angle : request.angle, request);
-    result.crease_ids.push_back(crease.id);
-    result.vertices.insert(result.vertices.end(), crease.vertices.begin(), crease.vertices.end());
-  }
-  if (result.crease_ids.empty()) refuse("no crease or group of creases is called '", name, "'");
-  creases_.keepTogether(time_);
-  EditRecord edit = foldRecord(request, result.vertices);
-  edit.crease = name;
-  record(std::move(edit));
-  return result;
-}
-
-void Simulation::startRamp(int crease, double target, const FoldRequest& request) {
-  creases_.start(crease, target, time_, request.duration.value_or(config_.fold_duration),
-                 request.stiffness.value_or(config_.material.crease_stiffness), shell_,
-                 motion_.positions);
-}
-
-EditRecord Simulation::foldRecord(const FoldRequest& request,
-                                  const std::vector<int>& vertices) const {
-  EditRecord edit;
-  edit.vertices = vertices;
-  edit.angle = request.angle;
-  edit.duration = request.duration.value_or(config_.fold_duration);
-  edit.stiffness = request.stiffness.value_or(config_.material.crease_stiffness);
-  return edit;
+Snapshot Simulation::snapshot() const {
+  return {config_,           sheet_,    motion_, creases_, rest_, held_,
+          stepper_.memory(), counters_, time_,   resting_};
 }
 
 void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_before) {
@@ -165,6 +104,7 @@ void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_b
   motion_.positions = remap.apply(motion_.positions, sheet_.vertexCount());
   motion_.velocities = remap.apply(motion_.velocities, sheet_.vertexCount());
   motion_.accelerations = remap.apply(motion_.accelerations, sheet_.vertexCount());
+  held_.follow(motion_.positions);
   topologyChanged();
 }
 
@@ -177,79 +117,12 @@ void Simulation::topologyChanged() {
 
 void Simulation::pinsChanged() {
   std::vector<bool> free(sheet_.vertexCount(), true);
-  for (int v : pinned_) {
-    free[v] = false;
+  for (int v : held_.all()) free[v] = false;
+  for (int v : held_.inPlace()) {
     motion_.velocities.col(v).setZero();
     motion_.accelerations.col(v).setZero();
   }
   stepper_.setTopology(std::move(free));
-}
-
-std::vector<int> Simulation::pin(const PinWhere& where) {
-  const std::vector<int> vertices = verticesAt(where, sheet_, motion_.positions);
-  pinned_.insert(vertices.begin(), vertices.end());
-  pinsChanged();
-  EditRecord edit;
-  edit.kind = EditRecord::kPin;
-  edit.vertices = vertices;
-  record(std::move(edit));
-  return vertices;
-}
-
-std::vector<int> Simulation::unpin(const std::vector<std::int64_t>& vertices) {
-  std::set<int> freed;
-  for (std::int64_t v : vertices) {
-    checkVertex(sheet_, v);
-    if (!pinned_.count(static_cast<int>(v))) refuse("vertex ", v, " is not pinned");
-    freed.insert(static_cast<int>(v));
-  }
-  if (vertices.empty()) freed = pinned_;
-  for (int v : freed) pinned_.erase(v);
-  pinsChanged();
-  EditRecord edit;
-  edit.kind = EditRecord::kUnpin;
-  edit.vertices.assign(freed.begin(), freed.end());
-  record(edit);
-  return edit.vertices;
-}
-
-int Simulation::addVertex(std::int64_t a, std::int64_t b, double fraction) {
-  checkVertex(sheet_, a);
-  checkVertex(sheet_, b);
-  const std::vector<Crease> creases_before = sheet_.creases();
-  const AddedVertex added =
-      shell_origami::addVertex(sheet_, static_cast<int>(a), static_cast<int>(b), fraction);
-  follow(added.remap, creases_before);
-  EditRecord edit;
-  edit.kind = EditRecord::kAddVertex;
-  edit.vertices = {static_cast<int>(a), static_cast<int>(b), added.vertex};
-  edit.fraction = fraction;
-  record(std::move(edit));
-  return added.vertex;
-}
-
-/// Every edit ends here. It wakes paper that rests.
-void Simulation::record(EditRecord edit) {
-  resting_ = false;
-  edit.step = counters_.steps;
-  edit.time = time_;
-  edit.revision = sheet_.revision();
-  edits_.push_back(std::move(edit));
-}
-
-std::vector<EditRecord> Simulation::takeEdits() { return std::exchange(edits_, {}); }
-
-void Simulation::carry(const std::vector<int>& vertices, const Positions& places) {
-  if (places.cols() != static_cast<Eigen::Index>(vertices.size()) || !places.allFinite()) {
-    refuse(vertices.size(), " vertices need as many finite places, not ", places.cols());
-  }
-  for (int v : vertices) {
-    if (!pinned_.count(v)) refuse("vertex ", v, " is not pinned");
-  }
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    carried_[vertices[i]] = {motion_.positions.col(vertices[i]), places.col(i)};
-  }
-  resting_ = false;
 }
 
 /// Adds to the counters, and to a failure where on the paper it happened.
@@ -275,18 +148,22 @@ StepReport Simulation::step() {
     return {};
   }
   StepDrive drive(*this);
+  const SolverMemory memory = stepper_.memory();
   const StepReport report =
       counted(stepper_.step(shell_, config_.material.air_damping, drive, motion_));
-  carried_.clear();
   if (!report.converged) {
+    held_.stay();
     creases_.apply(time_, shell_);
+    stepper_.recall(memory);
     return report;
   }
+  held_.arrive();
   ++counters_.steps;
   time_ += config_.solver.time_step;
   creases_.creep(time_, config_.solver.time_step, sheet_, shell_, motion_.positions);
   creases_.yield(time_, config_.material, shell_, motion_.positions);
   rest_.yield(config_.material, motion_.positions, shell_);
+  creases_.apply(time_, shell_);
   resting_ = atRest();
   if (resting_) {
     motion_.velocities.setZero();
@@ -297,6 +174,7 @@ StepReport Simulation::step() {
 
 StepReport Simulation::settle() {
   const CreaseDrive before = creases_;
+  const SolverMemory memory = stepper_.memory();
   const auto give_way = [this](Shell& shell, const Positions& positions) {
     creases_.creep(time_, config_.solver.time_step, sheet_, shell, positions);
     creases_.apply(time_, shell);
@@ -305,6 +183,7 @@ StepReport Simulation::settle() {
   if (!report.converged) {
     creases_ = before;
     creases_.apply(time_, shell_);
+    stepper_.recall(memory);
     return report;
   }
   EditRecord edit;
@@ -348,6 +227,25 @@ Energies Simulation::energies() const {
   energies.kinetic =
       motion_.velocities.colwise().squaredNorm().dot(shell_.masses().transpose()) / 2;
   return energies;
+}
+
+// Free vertices are in balance, M a + c M v + dW/dx = 0; what is missing at a held one, its holder
+// adds.
+std::map<std::string, Wrench> Simulation::holdingWrenches() const {
+  Positions forces = (motion_.accelerations + config_.material.air_damping * motion_.velocities) *
+                     shell_.masses().asDiagonal();
+  shell_.addGradient(motion_.positions, forces);
+  const auto add = [&](int v, const Pose& pose, Wrench& wrench) {
+    const Vector3 force = pose.orientation.conjugate() * Vector3(forces.col(v));
+    wrench.force += force;
+    wrench.torque += pose.fromWorld(motion_.positions.col(v)).cross(force);
+  };
+  std::map<std::string, Wrench> wrenches;
+  for (int v : held_.inPlace()) add(v, {}, wrenches[""]);
+  for (const auto& [frame, grip] : held_.grips()) {
+    for (const auto& [v, place] : grip.places) add(v, grip.pose, wrenches[frame]);
+  }
+  return wrenches;
 }
 
 double Simulation::maxStrain() const {

@@ -3,60 +3,22 @@
 #pragma once
 
 #include "dynamics/stepper.h"
-#include "origami/crease_drive.h"
-#include "origami/pins.h"
+#include "origami/edit.h"
+#include "origami/snapshot.h"
 #include "sheet/fold_line.h"
 #include "sheet/sheet.h"
 #include "shell/shell.h"
 
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace shell_origami {
 
 /// The flat sheet in the plane z = 0.
 Positions flatInSpace(const Sheet& sheet);
-
-/// Everything about a simulation but the sheet.
-struct SimulationConfig {
-  Material material;
-  Vector3 gravity = Vector3::Zero();  ///< [m/s^2]; zero: the paper floats
-  SolverConfig solver;
-  double fold_duration = 1.0;  ///< of a fold that states none [s]
-  Roll rest;                   ///< how the sheet is rolled up when it rests
-};
-
-/// \throws std::invalid_argument with a sentence that names the offending parameter and value.
-void checkConfig(const SimulationConfig& config);
-
-/// A named crease, or a group of creases of the loaded pattern: `mountains`, `valleys`, or `all`,
-/// of which each is folded to the side that the pattern asks for.
-struct CreaseName {
-  std::string name;
-};
-/// Two vertices: the straight flat line between them.
-struct VertexPair {
-  std::array<std::int64_t, 2> vertices;
-};
-
-struct FoldRequest {
-  std::variant<CreaseName, VertexPair, Line> where;
-  double angle = 0;                 ///< [rad], inside (-pi, pi), valley > 0
-  std::optional<double> duration;   ///< [s]; none: SimulationConfig::fold_duration
-  std::optional<double> stiffness;  ///< [N*m/rad per m]; none: Material::crease_stiffness
-  std::string name;                 ///< of the new crease; empty: one is made up
-};
-
-struct FoldResult {
-  std::vector<std::uint32_t> crease_ids;
-  std::vector<int> vertices;  ///< the polyline in order; of a group, one crease after the other
-  int parts = 1;              ///< of a line, that lie on the paper; more where it has holes
-};
 
 /// One crease now. Angles in radians, valley > 0, means weighted by length.
 struct CreaseStatus {
@@ -73,28 +35,6 @@ struct Energies {
   double membrane = 0, bending = 0, kinetic = 0, gravity = 0;  ///< [J]
 };
 
-/// Sums over the life of the simulation.
-struct Counters {
-  std::uint64_t steps = 0;
-  std::uint64_t newton_iterations = 0;
-  std::uint64_t factorizations = 0;
-  std::uint64_t retries = 0;
-  SolverTimes times;
-};
-
-/// An edit the paper took. Fields that a kind does not use are empty.
-struct EditRecord {
-  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle } kind = kFold;
-  std::uint64_t step = 0;      ///< steps completed before it
-  double time = 0;             ///< [s]
-  std::uint32_t revision = 0;  ///< of the sheet after it
-  std::string crease;          ///< fold: the crease or group that was named
-  std::vector<Vector2> line;   ///< fold: the two ends on the flat sheet [m]
-  std::vector<int> vertices;   ///< fold: the polyline; pin, unpin: the vertices;
-                               ///< add_vertex: the edge and the new vertex
-  double angle = 0, duration = 0, stiffness = 0, fraction = 0;
-};
-
 /// Edits throw std::invalid_argument with one sentence that names the offending value, and then
 /// have changed nothing. Everything is deterministic: the same calls give the same bits.
 class Simulation {
@@ -104,23 +44,32 @@ class Simulation {
   Simulation(Sheet sheet, const SimulationConfig& config);
   Simulation(Sheet sheet, const SimulationConfig& config, const Positions& positions,
              const std::vector<double>& rest_angles);
+  /// Goes on where another stood. \throws std::invalid_argument when the parts do not belong
+  /// together.
+  explicit Simulation(const Snapshot& snapshot);
 
   /// Folds that begin at the same time and take equally long run together (FoldRamp). Creases
   /// that no fold has named are free: soft, they follow what the others ask of them, to the side
   /// that Crease::pattern_angle asks for.
   FoldResult fold(const FoldRequest& request);
-  /// Returns the vertices that are held by this request, ascending.
+  /// Holds vertices where they are and returns them, ascending.
   std::vector<int> pin(const PinWhere& where);
+  /// Lets the frame, which stands at `pose`, hold them: carry() takes them along.
+  std::vector<int> pin(const PinWhere& where, const std::string& frame, const Pose& pose);
   /// Lets go of these vertices (none given: of all) and returns them.
   std::vector<int> unpin(const std::vector<std::int64_t>& vertices = {});
   /// Adds a vertex on the edge a, b at `fraction` of its flat length from a.
   int addVertex(std::int64_t a, std::int64_t b, double fraction);
+  /// From here on the paper moves under these.
+  void configure(const LiveConfig& live);
+
+  /// Takes a frame's vertices along, within the next step, to where the frame then stands.
+  void carry(const std::string& frame, const Pose& pose);
 
   /// The edits taken since the last call, oldest first.
   std::vector<EditRecord> takeEdits();
-
-  /// Carries held vertices to these places (one column each) [m] within the next step.
-  void carry(const std::vector<int>& vertices, const Positions& places);
+  /// Takes an edit once more, on paper as it was then.
+  void redo(const EditRecord& edit);
 
   /// Advances by SolverConfig::time_step. A step that does not converge leaves everything as it
   /// was and says so in the report. Paper that has come to rest stays there, at no cost, until an
@@ -135,12 +84,18 @@ class Simulation {
   const SimulationConfig& config() const { return config_; }
   const Positions& positions() const { return motion_.positions; }
   const Positions& velocities() const { return motion_.velocities; }
-  const std::set<int>& pinned() const { return pinned_; }
+  const HeldVertices& held() const { return held_; }
+  const std::set<int>& pinned() const { return held_.all(); }
   const Counters& counters() const { return counters_; }
   double time() const { return time_; }  ///< [s]
 
+  Snapshot snapshot() const;
+
   std::vector<CreaseStatus> creases() const;  ///< in the order of sheet().creases()
   Energies energies() const;
+  /// What holds the paper, by its frame: force and torque on the vertices it holds, in the frame
+  /// and about its origin. Under no name, in the world: of vertices held in place.
+  std::map<std::string, Wrench> holdingWrenches() const;
   /// Largest |edge length / flat length - 1|.
   double maxStrain() const;
   /// Whether a ramp is still running.
@@ -159,6 +114,7 @@ class Simulation {
   void follow(const Remap& remap, const std::vector<Crease>& creases_before);
   void topologyChanged();
   void pinsChanged();
+  std::vector<int> pinned(EditRecord edit);
   void record(EditRecord edit);
   bool atRest() const;
 
@@ -168,11 +124,7 @@ class Simulation {
   Motion motion_;
   CreaseDrive creases_;
   RestShape rest_;
-  std::set<int> pinned_;
-  struct Way {
-    Vector3 from, to;
-  };
-  std::map<int, Way> carried_;  ///< of pins within the next step
+  HeldVertices held_;
   Stepper stepper_;
   Counters counters_;
   std::vector<EditRecord> edits_;

@@ -30,7 +30,17 @@ Sheet::Sheet(Triangulation triangulation, std::vector<Crease> creases)
     }
     next_crease_id_ = std::max(next_crease_id_, creases_[i].id + 1);
   }
+  triangulation_.forgetHistory();
   rebuildEdges();
+}
+
+void Sheet::restore(std::uint32_t revision, std::uint32_t next_crease_id) {
+  if (next_crease_id < next_crease_id_) {
+    throw std::invalid_argument("the next crease id " + std::to_string(next_crease_id) +
+                                " is one that a crease has");
+  }
+  revision_ = revision;
+  next_crease_id_ = next_crease_id;
 }
 
 void Sheet::rebuildEdges() {

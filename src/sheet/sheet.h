@@ -53,7 +53,10 @@ class Sheet {
   const Triangulation& triangulation() const { return triangulation_; }
   /// Grows by one with every edit.
   std::uint32_t revision() const { return revision_; }
-  void setRevision(std::uint32_t revision) { revision_ = revision; }
+  std::uint32_t nextCreaseId() const { return next_crease_id_; }
+  /// What a sheet cannot know that is made of what another consists of.
+  /// \throws std::invalid_argument when a crease has the next id or one after it
+  void restore(std::uint32_t revision, std::uint32_t next_crease_id);
 
   /// Largest extent along x or y [m].
   double size() const;
@@ -70,7 +73,6 @@ class Sheet {
   void validate() const;
 
  private:
-  friend class SheetEditor;
   void rebuildEdges();
 
   Triangulation triangulation_;

@@ -303,8 +303,7 @@ FoldLine SheetEditor::commit(Sheet& sheet, const std::vector<std::vector<int>>& 
   Sheet edited(mesh_.flat(), gatherCreases(sheet, parts, name, born));
   result.remap = traceEdit(sheet, edited, mesh_.snap());
   result.remap.born = std::move(born);
-  edited.setRevision(sheet.revision() + 1);
-  edited.next_crease_id_ = std::max(edited.next_crease_id_, sheet.next_crease_id_);
+  edited.restore(sheet.revision() + 1, std::max(edited.nextCreaseId(), sheet.nextCreaseId()));
   // Of a crease the line is a whole part or nothing, so that the creases on it, laid end to end,
   // are the line's vertices, those that improving added among them.
   const Triangulation& mesh = edited.triangulation();
@@ -360,7 +359,7 @@ std::vector<Crease> SheetEditor::gatherCreases(Sheet& sheet,
     }
   }
   std::vector<Crease> creases;
-  std::uint32_t next_id = sheet.next_crease_id_;
+  std::uint32_t next_id = sheet.nextCreaseId();
   const int old_count = static_cast<int>(old_creases_.size());
   for (const auto& [label, own] : edges) {
     const bool is_old = label < old_count;

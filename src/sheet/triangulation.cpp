@@ -47,7 +47,6 @@ Triangulation::Triangulation(std::vector<Vector2> points, std::vector<Triangle> 
     checkTriangle(points_, triangles_[t], t);
     for (int k = 0; k < 3; ++k) {
       const auto [a, b] = ends({t, k});
-      incident_[a] = t;
       if (!sides.emplace(std::make_pair(a, b), Side{t, k}).second) {
         refuse("the edge from vertex ", a, " to ", b, " has two triangles on one side");
       }
@@ -57,8 +56,15 @@ Triangulation::Triangulation(std::vector<Vector2> points, std::vector<Triangle> 
       neighbours_[other->second.triangle][other->second.edge] = t;
     }
   }
+  forgetHistory();
   for (std::size_t v = 0; v < points_.size(); ++v) {
     if (incident_[v] == kNone) refuse("vertex ", v, " is in no triangle");
+  }
+}
+
+void Triangulation::forgetHistory() {
+  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
+    for (int v : triangles_[t]) incident_[v] = t;
   }
 }
 

@@ -84,6 +84,9 @@ class Triangulation {
   double smallestAreaWithVertexAt(int v, const Vector2& p) const;
   /// Shifts v to p. \pre smallestAreaWithVertexAt(v, p) > 0
   void moveVertex(int v, const Vector2& p);
+  /// Leaves nothing but points, triangles and labels to tell it from one that was made of them:
+  /// around() starts the same way.
+  void forgetHistory();
 
  private:
   Vector3 weightsAt(const Vector2& p, int triangle) const;

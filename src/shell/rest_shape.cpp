@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shell_origami {
 namespace {
@@ -23,7 +24,12 @@ Vector3 rolledUp(const Vector2& flat, const Roll& roll) {
 }  // namespace
 
 RestShape::RestShape(const Roll& roll, const Sheet& sheet)
-    : roll_(roll), set_(sheet.edges().size()), plastic_(sheet.edges().size()) {
+    : RestShape(roll, sheet, std::vector<double>(sheet.edges().size()),
+                std::vector<double>(sheet.edges().size())) {}
+
+RestShape::RestShape(const Roll& roll, const Sheet& sheet, std::vector<double> set,
+                     std::vector<double> plastic)
+    : roll_(roll), set_(std::move(set)), plastic_(std::move(plastic)) {
   this->roll(sheet);
 }
 

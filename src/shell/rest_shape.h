@@ -21,6 +21,12 @@ class RestShape {
  public:
   RestShape() = default;
   RestShape(const Roll& roll, const Sheet& sheet);
+  /// One that yielded before: see set() and plastic(), one of each for an edge.
+  RestShape(const Roll& roll, const Sheet& sheet, std::vector<double> set,
+            std::vector<double> plastic);
+
+  const std::vector<double>& set() const { return set_; }
+  const std::vector<double>& plastic() const { return plastic_; }
 
   /// Gives the shell's ordinary hinges their rest angles.
   void apply(Shell& shell) const;

@@ -52,6 +52,8 @@ class Shell {
  public:
   Shell(const Sheet& sheet, const Material& material, const Vector3& gravity);
 
+  void setGravity(const Vector3& gravity) { gravity_ = gravity; }  ///< [m/s^2]
+
   /// Rest angle [rad] and stiffness [N*m/rad per m] of a crease's hinges. Creases are held short
   /// of 180 degrees, and so is the rest angle.
   void setCrease(int crease, double rest_angle, double stiffness);

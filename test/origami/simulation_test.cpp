@@ -167,6 +167,57 @@ TEST(Simulation, FallingPaperFollowsGravityAndAir) {
   EXPECT_LT(simulation.maxStrain(), 1e-9);
 }
 
+TEST(Simulation, GravityAndAirMayChangeInTheMiddleOfAFall) {
+  // Under constant acceleration Newmark is exact, also where the acceleration jumps.
+  SimulationConfig config;
+  config.material.air_damping = 0;
+  config.solver.gamma = 0.5;
+  Simulation simulation = square(config);
+  const auto fall = [&simulation](int steps) {
+    for (int i = 0; i < steps; ++i) ASSERT_TRUE(simulation.step().converged);
+  };
+  simulation.configure({{0, 0, -9.81}, 0, 1});
+  fall(30);
+  simulation.configure({{2, 0, 5}, 0, 1});
+  fall(30);
+  const double t = 0.5;
+  const Vector3 mean = simulation.positions().rowwise().mean();
+  const Vector3 start = flatInSpace(simulation.sheet()).rowwise().mean();
+  EXPECT_NEAR(mean.z() - start.z(), -9.81 * t * t * 3 / 2 + 5 * t * t / 2, 1e-9);
+  EXPECT_NEAR(mean.x() - start.x(), 2 * t * t / 2, 1e-9);
+  // In thick air without gravity speeds die away by exp(-c t).
+  simulation.configure({Vector3::Zero(), 4, 1});
+  const Vector3 before = simulation.velocities().rowwise().mean();
+  fall(30);
+  const Vector3 after = simulation.velocities().rowwise().mean();
+  EXPECT_LT((after - std::exp(-4 * t) * before).norm(), 1e-3 * before.norm());
+}
+
+TEST(Simulation, ANewGravityWakesPaperThatRestsAndLeavesPinsAlone) {
+  Simulation simulation = square();
+  const std::vector<int> held = simulation.pin(Region{{{0, 0}, {kSide, 0}, {kSide, 0.001}}});
+  simulation.step();
+  ASSERT_EQ(simulation.step().newton_iterations, 0);  // it rests
+  const Positions before = simulation.positions();
+  simulation.configure({{0, 0, -9.81}, 5, 1});
+  EXPECT_FALSE(simulation.settled());
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(simulation.step().converged);
+  for (int v : held) EXPECT_EQ(simulation.positions().col(v), before.col(v));
+  EXPECT_LT((simulation.positions() - before).row(2).minCoeff(), -0.01);
+}
+
+TEST(Simulation, ANewFoldDurationIsThatOfTheNextFold) {
+  Simulation simulation = square();
+  simulation.configure({Vector3::Zero(), 5, 0.25});
+  FoldRequest fold = diagonal(1);
+  fold.duration.reset();
+  simulation.fold(fold);
+  for (int i = 0; i < 14; ++i) simulation.step();
+  EXPECT_TRUE(simulation.folding());
+  for (int i = 0; i < 2; ++i) simulation.step();
+  EXPECT_FALSE(simulation.folding());
+}
+
 TEST(Simulation, EditsOnBentPaperKeepItsShape) {
   Simulation simulation = square();
   simulation.fold(diagonal(100 * kDegree));
@@ -216,6 +267,14 @@ TEST(Simulation, RefusedEditsChangeNothing) {
   EXPECT_THROW(simulation.pin(Ball{{0, 0, 9}, 0.1}), std::invalid_argument);
   EXPECT_THROW(simulation.unpin({3}), std::invalid_argument);
   EXPECT_THROW(simulation.addVertex(0, 1000, 0.5), std::invalid_argument);
+  const Vector3 none = Vector3::Zero();
+  for (const LiveConfig& live :
+       {LiveConfig{{0, nan, 0}, 5, 1}, LiveConfig{{0, 0, -1e5}, 5, 1}, LiveConfig{none, -1, 1},
+        LiveConfig{none, 1e7, 1}, LiveConfig{none, nan, 1}, LiveConfig{none, 5, 0},
+        LiveConfig{none, 5, -1}, LiveConfig{none, 5, HUGE_VAL}}) {
+    EXPECT_THROW(simulation.configure(live), std::invalid_argument);
+  }
+  EXPECT_EQ(simulation.config().material.air_damping, SimulationConfig().material.air_damping);
   EXPECT_EQ(simulation.positions(), before);
   EXPECT_EQ(simulation.sheet().revision(), revision);
   EXPECT_TRUE(simulation.pinned().empty());
@@ -262,8 +321,9 @@ TEST(Simulation, EveryEditIsOnRecord) {
   simulation.unpin({3});
   const Edge edge = simulation.sheet().edges()[0];
   simulation.addVertex(edge.vertices[0], edge.vertices[1], 0.5);
+  simulation.configure({{0, 0, -1}, 2, 3});
   const std::vector<EditRecord> edits = simulation.takeEdits();
-  ASSERT_EQ(edits.size(), 4u);
+  ASSERT_EQ(edits.size(), 5u);
   EXPECT_EQ(edits[0].kind, EditRecord::kFold);
   EXPECT_EQ(edits[0].step, 0u);
   EXPECT_EQ(edits[1].kind, EditRecord::kPin);
@@ -271,6 +331,10 @@ TEST(Simulation, EveryEditIsOnRecord) {
   EXPECT_EQ(edits[1].vertices, (std::vector<int>{2, 3}));
   EXPECT_EQ(edits[2].vertices, (std::vector<int>{3}));
   EXPECT_EQ(edits[3].revision, simulation.sheet().revision());
+  EXPECT_EQ(edits[4].kind, EditRecord::kConfigure);
+  EXPECT_EQ(edits[4].gravity, Vector3(0, 0, -1));
+  EXPECT_EQ(edits[4].air_damping, 2);
+  EXPECT_EQ(edits[4].duration, 3);
   EXPECT_TRUE(simulation.takeEdits().empty());
 }
 
