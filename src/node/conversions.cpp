@@ -19,25 +19,6 @@ geometry_msgs::Point32 point32(double x, double y, double z) {
   return point;
 }
 
-geometry_msgs::Point point(const Vector2& p) {
-  geometry_msgs::Point point;
-  point.x = p.x();
-  point.y = p.y();
-  return point;
-}
-
-/// \throws std::invalid_argument unless exactly one of the alternatives is given.
-void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives) {
-  std::string all, given;
-  int count = 0;
-  for (const auto& [name, is_given] : alternatives) {
-    all += (all.empty() ? "" : ", ") + name;
-    if (is_given) given += (count++ ? " and " : "") + name;
-  }
-  if (count == 1) return;
-  refuse("give exactly one of ", all, ": the request gives ", count ? given : "none of them");
-}
-
 /// Refuses z as well, which is not used: a NaN there tells of an error elsewhere.
 template <class Point>
 void requireFinite(const std::string& name, const Point& p) {
@@ -66,6 +47,17 @@ std::optional<double> unlessZero(double value) {
 
 }  // namespace
 
+void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives) {
+  std::string all, given;
+  int count = 0;
+  for (const auto& [name, is_given] : alternatives) {
+    all += (all.empty() ? "" : ", ") + name;
+    if (is_given) given += (count++ ? " and " : "") + name;
+  }
+  if (count == 1) return;
+  refuse("give exactly one of ", all, ": the request gives ", count ? given : "none of them");
+}
+
 msg::Sheet sheetMessage(const Paper& paper, const std_msgs::Header& header) {
   const Sheet& sheet = paper.simulation().sheet();
   msg::Sheet message;
@@ -90,25 +82,33 @@ msg::Sheet sheetMessage(const Paper& paper, const std_msgs::Header& header) {
   return message;
 }
 
+std::vector<msg::CreaseState> creaseStates(const Simulation& simulation) {
+  std::vector<msg::CreaseState> states;
+  for (const CreaseStatus& crease : simulation.creases()) {
+    msg::CreaseState state;
+    state.id = crease.id;
+    state.angle = static_cast<float>(crease.angle);
+    state.rest_angle = static_cast<float>(crease.rest_angle);
+    state.target_angle = static_cast<float>(crease.target_angle);
+    state.moment = static_cast<float>(crease.moment);
+    states.push_back(state);
+  }
+  return states;
+}
+
 msg::SheetState stateMessage(const Paper& paper, const std_msgs::Header& header) {
   const Simulation& simulation = paper.simulation();
   msg::SheetState message;
   message.header = header;
   message.revision = paper.revision();
+  message.step = paper.steps();
+  message.edits = paper.edits();
   const Positions& x = simulation.positions();
   message.positions.reserve(static_cast<std::size_t>(x.cols()));
   for (Eigen::Index i = 0; i < x.cols(); ++i) {
     message.positions.push_back(point32(x(0, i), x(1, i), x(2, i)));
   }
-  for (const CreaseStatus& crease : simulation.creases()) {
-    msg::CreaseState entry;
-    entry.id = crease.id;
-    entry.angle = static_cast<float>(crease.angle);
-    entry.rest_angle = static_cast<float>(crease.rest_angle);
-    entry.target_angle = static_cast<float>(crease.target_angle);
-    entry.moment = static_cast<float>(crease.moment);
-    message.creases.push_back(entry);
-  }
+  message.creases = creaseStates(simulation);
   message.pinned.assign(simulation.pinned().begin(), simulation.pinned().end());
   message.settled = simulation.settled();
   return message;
@@ -166,26 +166,38 @@ PinWhere pinWhere(const msg::Pin::Request& request) {
   return Ball{{center.x, center.y, center.z}, request.radius};
 }
 
-msg::Edit editMessage(const EditRecord& edit) {
-  static const std::map<EditRecord::Kind, std::string> kKinds = {
-      {EditRecord::kFold, msg::Edit::FOLD},     {EditRecord::kPin, msg::Edit::PIN},
-      {EditRecord::kUnpin, msg::Edit::UNPIN},   {EditRecord::kAddVertex, msg::Edit::ADD_VERTEX},
-      {EditRecord::kSettle, msg::Edit::SETTLE}, {EditRecord::kConfigure, msg::Edit::CONFIGURE}};
-  msg::Edit message;
-  message.step = edit.step;
-  message.revision = edit.revision;
-  message.kind = kKinds.at(edit.kind);
-  message.crease = edit.crease;
-  for (const Vector2& p : edit.line) message.line.push_back(point(p));
-  message.vertices = vertexIds(edit.vertices);
-  message.angle = edit.angle;
-  message.duration = edit.duration;
-  message.stiffness = edit.stiffness;
-  message.fraction = edit.fraction;
-  message.gravity.x = edit.gravity.x();
-  message.gravity.y = edit.gravity.y();
-  message.gravity.z = edit.gravity.z();
-  message.air_damping = edit.air_damping;
+geometry_msgs::Point pointMessage(const Vector3& p) {
+  geometry_msgs::Point point;
+  point.x = p.x();
+  point.y = p.y();
+  point.z = p.z();
+  return point;
+}
+
+geometry_msgs::Pose poseMessage(const Pose& pose) {
+  geometry_msgs::Pose message;
+  message.position = pointMessage(pose.position);
+  message.orientation.x = pose.orientation.x();
+  message.orientation.y = pose.orientation.y();
+  message.orientation.z = pose.orientation.z();
+  message.orientation.w = pose.orientation.w();
+  return message;
+}
+
+Pose poseFrom(const geometry_msgs::Pose& message) {
+  const auto& p = message.position;
+  const auto& q = message.orientation;
+  return {{p.x, p.y, p.z}, {q.w, q.x, q.y, q.z}};
+}
+
+geometry_msgs::Wrench wrenchMessage(const Wrench& wrench) {
+  geometry_msgs::Wrench message;
+  message.force.x = wrench.force.x();
+  message.force.y = wrench.force.y();
+  message.force.z = wrench.force.z();
+  message.torque.x = wrench.torque.x();
+  message.torque.y = wrench.torque.y();
+  message.torque.z = wrench.torque.z();
   return message;
 }
 

@@ -6,16 +6,25 @@
 #include "node/paper.h"
 #include "origami/simulation.h"
 
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Wrench.h>
 #include <std_msgs/Header.h>
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
 
 msg::Sheet sheetMessage(const Paper& paper, const std_msgs::Header& header);
+std::vector<msg::CreaseState> creaseStates(const Simulation& simulation);
 msg::SheetState stateMessage(const Paper& paper, const std_msgs::Header& header);
 msg::Energy energyMessage(const Paper& paper, const StepReport& step, double real_time_factor,
                           const std_msgs::Header& header);
+
+/// The alternatives of a request: their names, and whether each is given.
+/// \throws std::invalid_argument unless exactly one is.
+void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives);
 
 /// \throws std::invalid_argument unless exactly one of crease, vertices and line is given, with
 ///         two finite ends.
@@ -26,8 +35,11 @@ FoldRequest foldRequest(const msg::Fold::Request& request);
 ///         radius is given, with finite numbers.
 PinWhere pinWhere(const msg::Pin::Request& request);
 
-/// The header is left open.
-msg::Edit editMessage(const EditRecord& edit);
+geometry_msgs::Point pointMessage(const Vector3& p);
+geometry_msgs::Pose poseMessage(const Pose& pose);
+/// As it stands: its quaternion may be of any length.
+Pose poseFrom(const geometry_msgs::Pose& message);
+geometry_msgs::Wrench wrenchMessage(const Wrench& wrench);
 
 std::vector<std::uint32_t> vertexIds(const std::vector<int>& vertices);
 std::vector<std::int64_t> vertexIds(const std::vector<std::uint32_t>& vertices);

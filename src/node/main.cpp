@@ -1,3 +1,4 @@
+#include "node/recipe_action.h"
 #include "node/services.h"
 
 #include <tf2_ros/transform_listener.h>
@@ -9,7 +10,9 @@ int main(int argc, char** argv) {
     shell_origami::OrigamiNode origami(node, shell_origami::loadParameters(node));
     tf2_ros::Buffer tf;
     const tf2_ros::TransformListener tf_listener(tf, node, false);
-    shell_origami::Services services(node, origami, tf);
+    shell_origami::HeldFrames held_frames(origami, tf);
+    shell_origami::Services services(node, origami, held_frames, tf);
+    shell_origami::RecipeAction recipe_action(node, origami);
     origami.spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());

@@ -16,6 +16,7 @@
 #include <shell_origami/Edit.h>
 #include <shell_origami/Energy.h>
 #include <shell_origami/Fold.h>
+#include <shell_origami/FoldRecipeAction.h>
 #include <shell_origami/Load.h>
 #include <shell_origami/Pin.h>
 #include <shell_origami/Save.h>
@@ -35,6 +36,10 @@ using Sheet = SheetMessage;
 using ::shell_origami::CreaseState;
 using ::shell_origami::Edit;
 using ::shell_origami::Energy;
+using ::shell_origami::FoldRecipeAction;
+using ::shell_origami::FoldRecipeFeedback;
+using ::shell_origami::FoldRecipeGoal;
+using ::shell_origami::FoldRecipeResult;
 using ::shell_origami::SheetState;
 
 using ::shell_origami::AddVertex;

@@ -1,6 +1,6 @@
 #include "node/origami_node.h"
 
-#include "node/conversions.h"
+#include "node/edits.h"
 
 #include <ros/callback_queue.h>
 
@@ -19,7 +19,7 @@ constexpr double kWaitPeriod = 0.02;
 /// How long a recorder takes from subscribing to listening [s].
 constexpr double kRecorderStart = 0.3;
 
-std::optional<RecipeRun> startRecipe(const NodeConfig& config) {
+std::optional<RecipeRun> parameterRecipe(const NodeConfig& config) {
   if (config.recipe.empty()) return std::nullopt;
   return RecipeRun(loadRecipe(findRecipe(config.recipe), config.simulation, config.sheet),
                    config.output);
@@ -45,13 +45,12 @@ Simulation paperFromFile(const NodeConfig& config, const std::string& path) {
 
 OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
     : config_(config),
-      recipe_(startRecipe(config)),
+      recipe_(parameterRecipe(config)),
       paper_(firstPaper(config, recipe_)),
       clock_(makeStepClock(node, config)),
-      publishers_(node, config),
+      publishers_(node, config, [this] { return wholePaper(); }),
       paused_(config.paused || config.wait_for_recorder),
       waiting_(config.wait_for_recorder && !config.paused) {
-  if (recipe_) edited(msg::Edit::LOAD, config.recipe);
   const Sheet& sheet = paper_.simulation().sheet();
   ROS_INFO("a sheet of %d vertices and %zu triangles is ready%s", sheet.vertexCount(),
            sheet.triangles().size(), paused_ ? ", paused" : "");
@@ -108,6 +107,8 @@ std::uint32_t OrigamiNode::takeSteps(std::uint32_t count) {
 /// pauses where it did not.
 bool OrigamiNode::advance() {
   if (!continueRecipe()) return false;
+  const double time_step = paper_.simulation().config().solver.time_step;
+  if (carrier_) carrier_(time_step, clock_->stamp(paper_.time() + time_step));
   step_ = paper_.simulation().step();
   if (!step_.converged) {
     stop(step_.failure);
@@ -121,20 +122,38 @@ bool OrigamiNode::continueRecipe() {
   if (!recipe_) return true;
   bool held = true;
   try {
-    if (!recipe_->update(paper_.simulation())) finishRecipe();
+    if (!recipe_->update(paper_.simulation())) {
+      endRecipe();
+      // Nobody wants a finished paper to lie there as fast as the machine can.
+      if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) pause();
+    }
   } catch (const std::exception& error) {
-    stop("the recipe is abandoned: " + std::string(error.what()));
-    recipe_.reset();
+    stop(error.what());
     held = false;
   }
   publishEdits();
   return held;
 }
 
-void OrigamiNode::finishRecipe() {
+/// None is under way any more by the time the listener hears of it.
+void OrigamiNode::endRecipe(const std::string& why) {
+  if (!recipe_) return;
+  RecipeRun ended = std::move(*recipe_);
   recipe_.reset();
-  // Nobody wants a finished paper to lie there as fast as the machine can.
-  if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) pause();
+  ended.end(why);
+}
+
+void OrigamiNode::cancelRecipe(const std::string& why) {
+  if (!recipe_) return;
+  paper_.simulation().stopFolds();
+  endRecipe(why);
+}
+
+void OrigamiNode::startRecipe(Recipe recipe, const std::string& path,
+                              RecipeRun::Listener listener) {
+  if (recipe.states("sheet")) replacePaper(makeSimulation(recipe.sheet, recipe.config), path);
+  recipe_.emplace(std::move(recipe), "", std::move(listener));
+  if (!waiting_) resume();
 }
 
 void OrigamiNode::stop(const std::string& reason) {
@@ -142,33 +161,40 @@ void OrigamiNode::stop(const std::string& reason) {
   step_.failure = reason;
   ROS_ERROR("paused at %.3f s: %s", paper_.time(), reason.c_str());
   pause();
+  endRecipe(reason);
 }
 
 void OrigamiNode::load(const std::string& path) {
-  Simulation loaded = paperFromFile(config_, path);
+  replacePaper(paperFromFile(config_, path), path);
+}
+
+void OrigamiNode::replacePaper(Simulation simulation, const std::string& path) {
   publishEdits();
-  paper_.replace(std::move(loaded));
+  endRecipe("another paper takes the place of this one");
+  paper_.replace(std::move(simulation));
   clock_->hold(paper_.time());  // it may have taken long
-  recipe_.reset();
-  edited(msg::Edit::LOAD, path);
+  replaced(msg::Edit::LOAD, path);
 }
 
 void OrigamiNode::reset() {
   publishEdits();
+  endRecipe("the paper is reset");
   paper_.reset();
-  recipe_.reset();
-  edited(msg::Edit::RESET);
+  replaced(msg::Edit::RESET);
 }
 
-/// Tells everyone of an edit that the paper itself knows nothing of.
-void OrigamiNode::edited(const std::string& kind, const std::string& path) {
-  msg::Edit edit;
-  edit.kind = kind;
-  edit.path = path;
-  edit.step = paper_.steps();
-  edit.revision = paper_.revision();
-  publishers_.publishEdit(edit, stamp());
+/// Tells everyone of another paper.
+void OrigamiNode::replaced(const std::string& kind, const std::string& path) {
+  publishers_.publishEdit(paperMessage(paper_, kind, path), stamp());
   changed_ = true;
+}
+
+msg::Edit OrigamiNode::wholePaper() {
+  publishEdits();
+  msg::Edit edit = paperMessage(paper_, msg::Edit::PAPER);
+  edit.header.stamp = stamp();
+  edit.header.frame_id = config_.world_frame;
+  return edit;
 }
 
 /// Tells everyone of the edits that the paper took, be they of a request or of the recipe.
@@ -202,6 +228,7 @@ bool OrigamiNode::movingDue() {
 }
 
 void OrigamiNode::publish() {
+  publishEdits();
   const ros::SteadyTime wall = ros::SteadyTime::now();
   const ros::Time stamp = this->stamp();
   real_time_factor_.sample(wall.toSec(), paper_.time());

@@ -9,9 +9,11 @@
 #include "node/step_clock.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace shell_origami {
 
@@ -34,18 +36,36 @@ class OrigamiNode {
   std::uint32_t takeSteps(std::uint32_t count);
   const StepReport& lastStep() const { return step_; }
 
+  /// Carries held vertices (Simulation::carry) before a step of so many seconds that ends at this
+  /// ROS time.
+  using Carrier = std::function<void(double time_step, const ros::Time& end)>;
+  void setCarrier(Carrier carrier) { carrier_ = std::move(carrier); }
+
   /// Puts the paper of a FOLD file or a recipe in the place of this one, and abandons the recipe
   /// that runs. \throws std::exception and then has changed nothing.
   void load(const std::string& path);
   /// The paper as it was loaded. Abandons the recipe that runs.
   void reset();
 
+  /// The recipe under way; null where there is none.
+  RecipeRun* recipe() { return recipe_ ? &*recipe_ : nullptr; }
+  /// Lets time run and folds by a recipe, while none is under way: its own sheet, or the paper that
+  /// lies there where it states none.
+  /// \param path  of the recipe; empty: it was given as text
+  /// \throws std::exception and then has changed nothing.
+  void startRecipe(Recipe recipe, const std::string& path, RecipeRun::Listener listener);
+  /// Ends the recipe under way, if any. The paper stays as it is: folds under way stop where they
+  /// are.
+  void cancelRecipe(const std::string& why);
+
  private:
-  void edited(const std::string& kind, const std::string& path = "");
+  void replacePaper(Simulation simulation, const std::string& path);
+  void replaced(const std::string& kind, const std::string& path = "");
+  msg::Edit wholePaper();
   void publishEdits();
   bool advance();
   bool continueRecipe();
-  void finishRecipe();
+  void endRecipe(const std::string& why = "");
   void startRecorded();
   void stop(const std::string& reason);
   double untilNextStep();
@@ -59,6 +79,7 @@ class OrigamiNode {
   Paper paper_;
   std::unique_ptr<StepClock> clock_;
   Publishers publishers_;
+  Carrier carrier_;
   RealTimeFactor real_time_factor_;
   StepReport step_;  ///< the last one
   bool paused_;

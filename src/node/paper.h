@@ -9,10 +9,17 @@
 
 namespace shell_origami {
 
-/// One paper at a time. Time, steps and revision keep growing when another takes its place.
+/// One paper at a time. Time, steps, edits and revision keep growing when another takes its place.
 class Paper {
  public:
   explicit Paper(Simulation simulation);
+  /// The paper that toJson() or checkpoint() wrote. \throws std::invalid_argument,
+  /// nlohmann::json::exception
+  explicit Paper(const nlohmann::json& json);
+
+  /// Exact, as Snapshot is. A checkpoint knows, too, how the paper was when it was loaded.
+  nlohmann::json toJson() const;
+  nlohmann::json checkpoint() const;
 
   /// Puts another paper in the place of this one.
   void replace(Simulation simulation);
@@ -27,22 +34,18 @@ class Paper {
 
   double time() const { return time_before_ + simulation_.time(); }  ///< [s]
   std::uint64_t steps() const { return steps_before_ + simulation_.counters().steps; }
+  /// Those that takeEdits() gave, and papers that were replaced or reset.
+  std::uint64_t edits() const { return edits_; }
   std::uint32_t revision() const { return revision_before_ + simulation_.sheet().revision(); }
 
  private:
-  struct Original {
-    explicit Original(const Simulation& simulation);
-
-    Sheet sheet;
-    Positions positions;
-    std::vector<double> rest_angles;  ///< NaN: a free crease
-  };
   void follow(Simulation simulation);
 
   Simulation simulation_;
-  Original original_;
+  Snapshot original_;
   double time_before_ = 0;
   std::uint64_t steps_before_ = 0;
+  std::uint64_t edits_ = 0;
   std::uint32_t revision_before_ = 0;
 };
 

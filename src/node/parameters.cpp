@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
 
 namespace shell_origami {
 namespace {
@@ -102,10 +103,14 @@ NodeConfig loadParameters(const ros::NodeHandle& private_node) {
 
 std::string findRecipe(const std::string& recipe) {
   namespace fs = std::filesystem;
-  if (fs::is_regular_file(recipe)) return recipe;
+  std::error_code error;  // whatever it is, there is no such file
+  if (fs::is_regular_file(recipe, error)) return recipe;
+  if (recipe.find('/') != std::string::npos) {
+    refuse("recipe is \"", recipe, "\", but there is no such file");
+  }
   const std::string own = ros::package::getPath("shell_origami") + "/recipes/" + recipe + ".yaml";
-  if (recipe.find('/') == std::string::npos && fs::is_regular_file(own)) return own;
-  refuse("parameter ~recipe is \"", recipe, "\", but there is no such file, and no ", own);
+  if (fs::is_regular_file(own, error)) return own;
+  refuse("recipe is \"", recipe, "\", but there is no such file, and no ", own);
 }
 
 }  // namespace shell_origami

@@ -2,19 +2,26 @@
 
 #include "node/conversions.h"
 
+#include <geometry_msgs/WrenchStamped.h>
+
+#include <algorithm>
+#include <cctype>
+
 namespace shell_origami {
 
-Publishers::Publishers(ros::NodeHandle& node, const NodeConfig& config)
+Publishers::Publishers(ros::NodeHandle& node, const NodeConfig& config,
+                       std::function<msg::Edit()> whole_paper)
     : world_frame_(config.world_frame),
       painter_(config.vertex_ids, config.colouring),
       sheet_(node.advertise<msg::Sheet>("sheet", 10, true)),
       state_(node.advertise<msg::SheetState>("state", 100)),
       energy_(node.advertise<msg::Energy>("energy", 100)),
-      markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 5)) {
-  const auto send_edits = [this](const ros::SingleSubscriberPublisher& subscriber) {
-    for (const msg::Edit& edit : edits_) subscriber.publish(edit);
+      markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 5)),
+      wrench_node_(node, "wrench") {
+  const auto send_paper = [whole_paper](const ros::SingleSubscriberPublisher& subscriber) {
+    subscriber.publish(whole_paper());
   };
-  edit_ = node.advertise<msg::Edit>("edits", 1000, send_edits);
+  edit_ = node.advertise<msg::Edit>("edits", 1000, send_paper);
 }
 
 std_msgs::Header Publishers::header(const ros::Time& stamp) const {
@@ -41,6 +48,7 @@ void Publishers::publish(const Paper& paper, const StepReport& step, double real
   if (energy_.getNumSubscribers() > 0) {
     energy_.publish(energyMessage(paper, step, real_time_factor, header(stamp)));
   }
+  publishWrenches(paper, stamp);
   publishFrames(paper, stamp);
 }
 
@@ -60,10 +68,43 @@ void Publishers::publishFrames(const Paper& paper, const ros::Time& stamp) {
       paperFrames(simulation.sheet(), panels_, simulation.positions(), header(stamp)));
 }
 
+namespace {
+
+/// TF allows more letters than names of topics do.
+std::string topicFor(std::string frame) {
+  for (char& letter : frame) {
+    if (!std::isalnum(static_cast<unsigned char>(letter)) && letter != '/') letter = '_';
+  }
+  return frame;
+}
+
+}  // namespace
+
+void Publishers::publishWrenches(const Paper& paper, const ros::Time& stamp) {
+  const HeldVertices& held = paper.simulation().held();
+  if (held.all().empty()) return;
+  for (const auto& [frame, grip] : held.grips()) advertiseWrench(frame);
+  if (held.grips().empty() || !held.inPlace().empty()) advertiseWrench(world_frame_);
+  const bool heard = std::any_of(wrenches_.begin(), wrenches_.end(), [](const auto& entry) {
+    return entry.second.getNumSubscribers() > 0;
+  });
+  if (!heard) return;
+  for (const auto& [frame, wrench] : paper.simulation().holdingWrenches()) {
+    geometry_msgs::WrenchStamped message;
+    message.header = header(stamp);
+    if (!frame.empty()) message.header.frame_id = frame;
+    message.wrench = wrenchMessage(wrench);
+    wrenches_.at(message.header.frame_id).publish(message);
+  }
+}
+
+void Publishers::advertiseWrench(const std::string& frame) {
+  if (wrenches_.count(frame)) return;
+  wrenches_[frame] = wrench_node_.advertise<geometry_msgs::WrenchStamped>(topicFor(frame), 100);
+}
+
 void Publishers::publishEdit(msg::Edit edit, const ros::Time& stamp) {
   edit.header = header(stamp);
-  if (edit.kind == msg::Edit::LOAD || edit.kind == msg::Edit::RESET) edits_.clear();
-  edits_.push_back(edit);
   edit_.publish(edit);
 }
 

@@ -9,6 +9,8 @@
 
 #include <tf2_ros/transform_broadcaster.h>
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,14 +19,14 @@ namespace shell_origami {
 
 class Publishers {
  public:
-  Publishers(ros::NodeHandle& node, const NodeConfig& config);
+  /// \param whole_paper  makes the edit that whoever begins to listen is sent first
+  Publishers(ros::NodeHandle& node, const NodeConfig& config,
+             std::function<msg::Edit()> whole_paper);
 
   /// The paper as it is now, and its sheet when the revision is a new one.
   void publish(const Paper& paper, const StepReport& step, double real_time_factor,
                const ros::Time& stamp);
 
-  /// Publishes an accepted edit, and again for whoever subscribes later, so that a recording
-  /// holds them all whenever it starts.
   void publishEdit(msg::Edit edit, const ros::Time& stamp);
 
   /// Whether someone listens to all that a recording needs.
@@ -34,12 +36,13 @@ class Publishers {
   std_msgs::Header header(const ros::Time& stamp) const;
   void publishSheet(const Paper& paper, const ros::Time& stamp);
   void publishFrames(const Paper& paper, const ros::Time& stamp);
+  void publishWrenches(const Paper& paper, const ros::Time& stamp);
+  void advertiseWrench(const std::string& frame);
 
   std::string world_frame_;
   MarkerPainter painter_;
   std::optional<std::uint32_t> revision_;  ///< of the sheet last published
   std::vector<Panel> panels_;              ///< of that sheet
-  std::vector<msg::Edit> edits_;           ///< of this paper so far
   ros::Time frames_stamp_;
 
   ros::Publisher sheet_;
@@ -47,6 +50,8 @@ class Publishers {
   ros::Publisher energy_;
   ros::Publisher markers_;
   ros::Publisher edit_;
+  ros::NodeHandle wrench_node_;
+  std::map<std::string, ros::Publisher> wrenches_;  ///< by the names of frames that held paper
   tf2_ros::TransformBroadcaster broadcaster_;
 };
 

@@ -6,28 +6,42 @@
 
 #include <ros/time.h>
 
+#include <functional>
 #include <string>
 
 namespace shell_origami {
 
 class RecipeRun {
  public:
+  /// Hears how the recipe ended: why it was abandoned, or an empty sentence when it is done.
+  using Listener = std::function<void(const RecipeRun& run, const std::string& why)>;
+
   /// \param output  folder for the results; empty: none are written
-  RecipeRun(Recipe recipe, std::string output);
+  RecipeRun(Recipe recipe, std::string output, Listener listener = nullptr);
 
   /// Does what is due before the next step. Returns false once the recipe is over.
   /// \throws std::exception when the paper refuses an edit or the results cannot be written.
   bool update(Simulation& simulation);
 
+  /// Tells the listener of the end, and the log of an early one.
+  void end(const std::string& why);
+  /// Nobody hears of the end any more.
+  void forgetListener() { listener_ = nullptr; }
+
   const Recipe& recipe() const { return runner_.recipe(); }
+  const RecipeRunner& runner() const { return runner_; }
+  int stepNumber() const;  ///< of the step under way, from 1; 0 where the recipe has none
 
  private:
   void finish(const Simulation& simulation) const;
+  std::string place() const;
 
   RecipeRunner runner_;
   std::string output_;
-  int told_ = -1;  ///< step that the log told of
+  Listener listener_;
+  int told_ = 0;  ///< number of the step that the log told of
   ros::SteadyTime start_;
+  double start_time_ = 0;  ///< of the simulation [s]
 };
 
 }  // namespace shell_origami

@@ -41,8 +41,9 @@ void requirePath(const std::string& path) {
 
 }  // namespace
 
-Services::Services(ros::NodeHandle& node, OrigamiNode& origami, const tf2_ros::Buffer& tf)
-    : origami_(origami), tf_(tf) {
+Services::Services(ros::NodeHandle& node, OrigamiNode& origami, HeldFrames& held_frames,
+                   const tf2_ros::Buffer& tf)
+    : origami_(origami), held_frames_(held_frames), tf_(tf) {
   servers_ = {
       node.advertiseService("fold", &Services::fold, this),
       node.advertiseService("pin", &Services::pin, this),
@@ -76,18 +77,18 @@ bool Services::fold(msg::Fold::Request& request, msg::Fold::Response& response) 
 
 bool Services::pin(msg::Pin::Request& request, msg::Pin::Response& response) {
   return answer("pin", response, [&] {
-    if (!request.frame_id.empty()) {
-      refuse("frame_id is \"", request.frame_id,
-             "\", but pins that a TF frame carries are not supported yet");
-    }
     PinWhere where = pinWhere(request);
     if (auto* ball = std::get_if<Ball>(&where)) {
       ball->center = toWorld("center", ball->center, request.center.header,
                              origami_.config().world_frame, tf_);
     }
-    const std::vector<int> vertices = origami_.paper().simulation().pin(where);
+    const bool carried =
+        !request.frame_id.empty() && request.frame_id != origami_.config().world_frame;
+    const std::vector<int> vertices = carried ? held_frames_.pin(where, request.frame_id)
+                                              : origami_.paper().simulation().pin(where);
     response.vertices = vertexIds(vertices);
-    return "holding " + vertexCount(vertices.size());
+    return "holding " + vertexCount(vertices.size()) +
+           (carried ? " by frame " + request.frame_id : "");
   });
 }
 

@@ -2,6 +2,7 @@
 /// The node's services. A refused request changes nothing and says why in one sentence.
 #pragma once
 
+#include "node/held_frames.h"
 #include "node/origami_node.h"
 
 #include <std_srvs/Trigger.h>
@@ -14,7 +15,8 @@ namespace shell_origami {
 class Services {
  public:
   /// \param tf  what is heard on /tf; must live as long
-  Services(ros::NodeHandle& node, OrigamiNode& origami, const tf2_ros::Buffer& tf);
+  Services(ros::NodeHandle& node, OrigamiNode& origami, HeldFrames& held_frames,
+           const tf2_ros::Buffer& tf);
 
  private:
   bool fold(msg::Fold::Request& request, msg::Fold::Response& response);
@@ -30,6 +32,7 @@ class Services {
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
 
   OrigamiNode& origami_;
+  HeldFrames& held_frames_;
   const tf2_ros::Buffer& tf_;
   std::vector<ros::ServiceServer> servers_;
 };

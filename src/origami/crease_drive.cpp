@@ -72,6 +72,14 @@ void CreaseDrive::keepTogether(double time) {
   }
 }
 
+void CreaseDrive::stop(double time) {
+  for (FoldRamp& ramp : ramps_) {
+    if (!ramp.runningAt(time)) continue;
+    ramp.target = ramp.angleAt(time);
+    ramp.duration = 0;
+  }
+}
+
 void CreaseDrive::creep(double time, double duration, const Sheet& sheet, const Shell& shell,
                         const Positions& positions) {
   double farthest = 0;

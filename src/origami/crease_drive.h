@@ -36,6 +36,8 @@ class CreaseDrive {
              const Shell& shell, const Positions& positions);
   /// Lets the ramps that begin now run together.
   void keepTogether(double time);
+  /// Ends every fold under way: its crease rests from now on at the angle it has reached.
+  void stop(double time);
   /// Lets free creases lean, and give way for this long [s] to where the paper is.
   void creep(double time, double duration, const Sheet& sheet, const Shell& shell,
              const Positions& positions);

@@ -41,7 +41,8 @@ struct FoldResult {
 
 /// An edit the paper took. Fields that a kind does not use are empty.
 struct EditRecord {
-  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle, kCarry, kConfigure } kind = kFold;
+  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle, kCarry, kStop, kConfigure } kind = kFold;
+  std::uint64_t number = 0;    ///< of this edit, from 1 on, once someone counts them
   std::uint64_t step = 0;      ///< steps completed before it
   double time = 0;             ///< [s]
   std::uint32_t revision = 0;  ///< of the sheet after it

@@ -5,6 +5,7 @@
 #include "origami/simulation.h"
 #include "sheet/fold_file.h"
 
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -55,6 +56,9 @@ struct Recipe {
   SimulationConfig config;
   View view;
   std::vector<RecipeStep> steps;
+  std::set<std::string> stated;  ///< words at its top, such as "sheet": all else is by default
+
+  bool states(const std::string& word) const { return stated.count(word) > 0; }
 };
 
 /// `key=value` pairs with the key's parts joined by '/', such as material/thickness=2e-4.
@@ -65,6 +69,11 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 /// \throws std::invalid_argument with one sentence naming file, line and offending value.
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults = {},
                   const SheetSource& sheet = {}, const Overrides& overrides = {});
+
+/// Reads a recipe that is not in a file. Relative paths in it are relative to the working
+/// directory.
+Recipe readRecipe(const std::string& text, const SimulationConfig& defaults = {},
+                  const SheetSource& sheet = {});
 
 /// Carries a recipe out on a simulation. Call update() before each step.
 class RecipeRunner {

@@ -5,8 +5,11 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <map>
+#include <sstream>
+#include <utility>
 
 namespace shell_origami {
 namespace {
@@ -14,6 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kDegree = M_PI / 180;
+/// Aliases of aliases make short text long: a list of a thousand times a list of a thousand folds.
+constexpr std::size_t kMostValues = 1000000;
 
 /// A recipe's file while it is read: knows where it is, for its complaints.
 class Reader {
@@ -40,11 +45,13 @@ class Reader {
   }
 
   std::string text(const YAML::Node& node, const std::string& what) const {
+    countValue();
     if (!node.IsScalar()) refuseAt(node, what, " must be a word");
     return node.Scalar();
   }
 
   double number(const YAML::Node& node, const std::string& what) const {
+    countValue();
     double value = 0;
     if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value)) {
       refuseAt(node, what, " must be a finite number",
@@ -97,7 +104,12 @@ class Reader {
   }
 
  private:
+  void countValue() const {
+    if (++values_ > kMostValues) refuse(file_, ": it holds more than ", kMostValues, " values");
+  }
+
   std::string file_;
+  mutable std::size_t values_ = 0;  ///< read so far
 };
 
 void readPose(const Reader& reader, const YAML::Node& node, SheetSource& sheet) {
@@ -334,6 +346,7 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
        {"fold_duration", reader.into(config.fold_duration, "fold_duration")},
        {"view", [&](const YAML::Node& node) { readView(reader, node, recipe.view); }},
        {"steps", [&](const YAML::Node& node) { steps = node; }}});
+  for (const auto& entry : root) recipe.stated.insert(entry.first.Scalar());
   if (steps.IsDefined() && !steps.IsNull() && !steps.IsSequence()) {
     reader.refuseAt(steps, "steps must be a list");
   }
@@ -342,30 +355,46 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
   }
 }
 
-}  // namespace
-
-Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
-                  const SheetSource& sheet, const Overrides& overrides) {
-  const Reader reader(path);
-  Recipe recipe;
-  recipe.name = fs::path(path).stem().string();
-  recipe.config = defaults;
-  recipe.sheet = sheet;
+/// \param file  what complaints call it
+Recipe read(const std::string& file, std::istream& text, const fs::path& folder, Recipe recipe,
+            const Overrides& overrides) {
+  const Reader reader(file);
   try {
-    YAML::Node root = YAML::LoadFile(path);
+    YAML::Node root = YAML::Load(text);
     apply(overrides, reader, root);
-    readRoot(reader, root, fs::path(path).parent_path(), recipe);
-  } catch (const YAML::BadFile&) {
-    refuse(path, ": the file cannot be read");
+    readRoot(reader, root, folder, recipe);
   } catch (const YAML::Exception& error) {
-    refuse(path, ", line ", error.mark.line + 1, ": ", error.msg);
+    refuse(file, ", line ", error.mark.line + 1, ": ", error.msg);
   }
   try {
     checkConfig(recipe.config);
   } catch (const std::invalid_argument& error) {
-    refuse(path, ": ", error.what());
+    refuse(file, ": ", error.what());
   }
   return recipe;
+}
+
+}  // namespace
+
+Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
+                  const SheetSource& sheet, const Overrides& overrides) {
+  std::ifstream file(path);
+  if (!file) refuse(path, ": the file cannot be read");
+  Recipe recipe;
+  recipe.name = fs::path(path).stem().string();
+  recipe.config = defaults;
+  recipe.sheet = sheet;
+  return read(path, file, fs::path(path).parent_path(), std::move(recipe), overrides);
+}
+
+Recipe readRecipe(const std::string& text, const SimulationConfig& defaults,
+                  const SheetSource& sheet) {
+  std::istringstream stream(text);
+  Recipe recipe;
+  recipe.name = "yaml";
+  recipe.config = defaults;
+  recipe.sheet = sheet;
+  return read(recipe.name, stream, "", recipe, {});
 }
 
 }  // namespace shell_origami

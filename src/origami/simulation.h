@@ -58,6 +58,8 @@ class Simulation {
   std::vector<int> pin(const PinWhere& where, const std::string& frame, const Pose& pose);
   /// Lets go of these vertices (none given: of all) and returns them.
   std::vector<int> unpin(const std::vector<std::int64_t>& vertices = {});
+  /// Stops every fold under way: its crease rests from now on at the angle its ramp has reached.
+  void stopFolds();
   /// Adds a vertex on the edge a, b at `fraction` of its flat length from a.
   int addVertex(std::int64_t a, std::int64_t b, double fraction);
   /// From here on the paper moves under these.

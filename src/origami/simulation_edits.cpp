@@ -152,6 +152,14 @@ int Simulation::addVertex(std::int64_t a, std::int64_t b, double fraction) {
   return added.vertex;
 }
 
+void Simulation::stopFolds() {
+  if (!folding()) return;
+  creases_.stop(time_);
+  EditRecord edit;
+  edit.kind = EditRecord::kStop;
+  record(std::move(edit));
+}
+
 void Simulation::configure(const LiveConfig& live) {
   SimulationConfig changed = config_;
   changed.gravity = live.gravity;
@@ -236,6 +244,8 @@ void Simulation::redo(const EditRecord& edit) {
       break;
     }
     case EditRecord::kCarry: carry(edit.frame, edit.pose); break;
+    case EditRecord::kStop: stopFolds(); break;
+    case EditRecord::kConfigure: configure({edit.gravity, edit.air_damping, edit.duration}); break;
   }
 }
 

@@ -1,0 +1,144 @@
+#!/usr/bin/python3
+"""A TF frame holds an edge of the paper and carries it; what holds the paper is felt."""
+
+import math
+
+import rospy
+import rostest
+from geometry_msgs.msg import Point32, Polygon, WrenchStamped
+
+from moving_frame import MovingFrame
+from origami_client import NodeTest, Recorder
+
+SIDE = 0.15
+WEIGHT = 800 * 1e-4 * SIDE * SIDE * 9.81  # [N]
+
+
+def strip(x0, x1):
+    return Polygon([Point32(x0, 0, 0), Point32(x1, 0, 0), Point32(x1, SIDE, 0),
+                    Point32(x0, SIDE, 0)])
+
+
+LEFT, RIGHT = strip(0, 0.001), strip(SIDE - 0.001, SIDE)
+
+
+class HeldFramesTest(NodeTest):
+    @classmethod
+    def setUpClass(cls):
+        super(HeldFramesTest, cls).setUpClass()
+        cls.hand = MovingFrame('hand')
+
+    def setUp(self):
+        super(HeldFramesTest, self).setUp()
+        self.hand.silent = False
+        self.hand.pose = (0.2, 0.1, 0, 0.3)
+        rospy.sleep(0.3)  # until the node has heard of it
+        self.origami.do('pin', region=LEFT)
+
+    def hold(self):
+        return self.origami.do('pin', region=RIGHT, frame_id='hand').vertices
+
+    def places(self, vertices):
+        positions = self.origami.state().positions
+        return [(positions[v].x, positions[v].y, positions[v].z) for v in vertices]
+
+    def carried(self, place, start, end):
+        """Where a frame that goes from one pose to another takes a place."""
+        dx, dy = place[0] - start[0], place[1] - start[1]
+        c, s = math.cos(end[3] - start[3]), math.sin(end[3] - start[3])
+        return end[0] + c * dx - s * dy, end[1] + s * dx + c * dy, place[2] + end[2] - start[2]
+
+    def assert_at(self, vertices, wanted, delta=1e-6):
+        for place, goal in zip(self.places(vertices), wanted):
+            for a, b in zip(place, goal):
+                self.assertAlmostEqual(a, b, delta=delta)
+
+    def test_the_edge_goes_rigidly_where_the_frame_goes(self):
+        held = self.hold()
+        before, start, end = self.places(held), self.hand.pose, (0.19, 0.11, 0.05, 0.5)
+        self.origami.do('resume')
+        self.hand.go(end, 1.0)
+        rospy.sleep(1.0)  # it follows a little behind
+        self.assert_at(held, [self.carried(p, start, end) for p in before])
+
+    def test_between_transforms_it_goes_smoothly(self):
+        # Ten transforms a second, thirty states: none waits for a transform and then leaps.
+        held = self.hold()
+        self.origami.do('resume')
+        self.hand.go((0.2, 0.1, 0.005, 0.3), 0.5)  # while it learns how late they are
+        since = len(self.origami.states.all())
+        self.hand.go((0.2, 0.1, 0.055, 0.3), 2.0)
+        heights = [(state.step, state.positions[held[0]].z)
+                   for state in self.origami.states.all()[since:]]
+        self.assertGreater(len(heights), 20)
+        speeds = [(b[1] - a[1]) / (b[0] - a[0]) * 60 for a, b in zip(heights, heights[1:])]
+        # 25 mm/s on the average. By leaps and waits it would be 0 and 150.
+        middle = speeds[len(speeds) // 4:]
+        self.assertLess(max(middle), 0.06)
+        self.assertGreater(sum(s > 0.005 for s in middle), 0.8 * len(middle))
+
+    def test_a_silent_frame_holds_the_paper_where_it_is(self):
+        held = self.hold()
+        self.origami.do('resume')
+        self.hand.go((0.2, 0.1, 0.01, 0.3), 0.3)
+        rospy.sleep(0.5)
+        before = self.places(held)
+        self.hand.silent = True
+        self.origami.do('resume')
+        rospy.sleep(1.5)
+        self.assertEqual(self.places(held), before)
+        # Heard of again it is where it was, and goes on.
+        self.hand.silent = False
+        self.origami.do('resume')
+        self.hand.go((0.2, 0.1, 0.02, 0.3), 0.3)
+        rospy.sleep(1.5)
+        for (x, y, z), (x0, y0, z0) in zip(self.places(held), before):
+            self.assertAlmostEqual(z, z0 + 0.01, delta=1e-6)
+
+    def test_a_frame_that_jumps_is_followed_no_faster_than_an_arm_moves(self):
+        held = self.hold()
+        self.origami.do('resume')
+        rospy.sleep(0.2)
+        since = len(self.origami.states.all())
+        self.hand.pose = (0.2, 0.1, 0.10, 0.3)
+        rospy.sleep(1.0)
+        states = self.origami.states.all()[since:]
+        self.assertAlmostEqual(states[-1].positions[held[0]].z, 0.10, delta=1e-6)
+        for a, b in zip(states, states[1:]):
+            rise = b.positions[held[0]].z - a.positions[held[0]].z
+            self.assertLessEqual(rise, 2.0 / 60 * (b.step - a.step) + 1e-6)
+
+    def test_what_holds_the_paper_is_felt(self):
+        self.hold()
+        left = Recorder('/origami/wrench/world', WrenchStamped)
+        hand = Recorder('/origami/wrench/hand', WrenchStamped)
+        self.origami.do('settle')
+        self.origami.state()
+        rospy.sleep(1.2)  # the paused paper is published twice a second
+        in_world, in_hand = left.all()[-1], hand.all()[-1]
+        self.assertEqual(in_world.header.frame_id, 'world')
+        self.assertEqual(in_hand.header.frame_id, 'hand')
+        up = in_world.wrench.force.z + in_hand.wrench.force.z  # the hand's z is the world's
+        self.assertAlmostEqual(up / WEIGHT, 1, delta=0.01)
+        self.assertAlmostEqual(in_hand.wrench.force.z / WEIGHT, 0.5, delta=0.02)
+        # The edge pulls the hand's grip back towards the sheet's middle, so it pulls away from it.
+        yaw, force = self.hand.pose[3], in_hand.wrench.force
+        self.assertGreater(math.cos(yaw) * force.x - math.sin(yaw) * force.y, 0)
+
+    def test_let_go_it_hangs_from_what_is_left(self):
+        held = self.hold()
+        self.origami.do('unpin', vertices=held)
+        self.origami.do('settle')
+        self.assertLess(max(z for _, _, z in self.places(held)), -0.01)
+
+    def test_frames_that_cannot_hold_paper_are_refused(self):
+        for frame in ('nowhere', 'paper', 'panel_0', '/hand', 'a b', 'x' * 100000, '\u00e4'):
+            answer = self.origami.call('pin', region=RIGHT, frame_id=frame)
+            self.assertFalse(answer.success, frame[:20])
+            self.assertIn('frame', answer.message)
+        self.assertEqual(len(self.origami.state().pinned), len(self.origami.do('unpin').vertices))
+
+
+if __name__ == '__main__':
+    rospy.init_node('held_frames_test')
+    rostest.rosrun('shell_origami', 'held_frames_test', HeldFramesTest)
