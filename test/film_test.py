@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What scripts/film makes of a recorded run, but for rviz: which states it shows for how long, where
-the camera stands, and what it says of bags that it cannot film."""
+"""What scripts/film makes of a recorded run, but for rviz: which states it shows and for how long,
+where the camera stands, and what it says of bags that it cannot film."""
 import importlib.machinery
 import importlib.util
 import math
@@ -58,7 +58,8 @@ class FilmTest(unittest.TestCase):
         stamps = [5 + i / 30 for i in range(31)]
         self.assertEqual(self.frames(stamps, 30), [(i, 1) for i in range(31)])
         self.assertEqual(self.frames(stamps, 15), [(2 * i, 1) for i in range(16)])
-        self.assertEqual(self.frames(stamps, 15, speed=2), [(4 * i, 1) for i in range(8)] + [(30, 1)])
+        self.assertEqual(self.frames(stamps, 15, speed=2),
+                         [(4 * i, 1) for i in range(8)] + [(30, 1)])
 
     def test_paper_that_rests_is_one_long_frame(self):
         self.assertEqual(self.frames([0, 0.1, 2.1, 2.2], 10), [(0, 1), (1, 20), (2, 1), (3, 1)])
