@@ -10,17 +10,6 @@ namespace {
 using visualization_msgs::Marker;
 using Points = Eigen::Matrix3Xd;
 
-std_msgs::ColorRGBA color(double r, double g, double b) {
-  std_msgs::ColorRGBA result;
-  result.r = static_cast<float>(r);
-  result.g = static_cast<float>(g);
-  result.b = static_cast<float>(b);
-  result.a = 1;
-  return result;
-}
-
-const std_msgs::ColorRGBA kFront = color(0.90, 0.32, 0.18);
-const std_msgs::ColorRGBA kBack = color(0.97, 0.94, 0.86);
 const std_msgs::ColorRGBA kBorder = color(0.22, 0.16, 0.14);
 const std_msgs::ColorRGBA kPin = color(0.10, 0.55, 0.25);
 const std_msgs::ColorRGBA kVertexId = color(0.10, 0.10, 0.10);
@@ -43,9 +32,7 @@ std_msgs::ColorRGBA shaded(const std_msgs::ColorRGBA& paper, const Eigen::Vector
 std_msgs::ColorRGBA creaseColor(double angle) {
   const std_msgs::ColorRGBA full = angle < 0 ? color(0.55, 0.0, 0.10) : color(0.05, 0.15, 0.85);
   const std_msgs::ColorRGBA flat = color(0.62, 0.58, 0.56);
-  const double s = std::min(1.0, 0.5 + 0.5 * std::abs(angle) / M_PI);
-  return color(flat.r + s * (full.r - flat.r), flat.g + s * (full.g - flat.g),
-               flat.b + s * (full.b - flat.b));
+  return mixed(flat, full, std::min(1.0, 0.5 + 0.5 * std::abs(angle) / M_PI));
 }
 
 geometry_msgs::Point point(const Eigen::Vector3d& p) {
@@ -115,12 +102,8 @@ void MarkerPainter::setSheet(const msg::Sheet& sheet) {
   for (const msg::Crease& crease : sheet_.creases) {
     for (const std::uint32_t v : crease.vertices) on_crease_[v] = true;
   }
-  Eigen::Array2d low = Eigen::Array2d::Constant(HUGE_VAL), high = -low;
-  for (const auto& p : sheet_.flat_positions) {
-    low = low.min(Eigen::Array2d(p.x, p.y));
-    high = high.max(Eigen::Array2d(p.x, p.y));
-  }
-  size_ = (high - low).maxCoeff();
+  size_ = sheetSize(sheet_);
+  colours_.setSheet(sheet_);
 }
 
 bool MarkerPainter::fits(const msg::SheetState& state) const {
@@ -131,7 +114,8 @@ bool MarkerPainter::fits(const msg::SheetState& state) const {
 }
 
 visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state) {
-  sheet_.header = state.header;
+  header_.stamp = state.header.stamp;
+  header_.frame_id = state.header.frame_id;
   Points middle(3, state.positions.size());
   for (std::size_t i = 0; i < state.positions.size(); ++i) {
     const auto& p = state.positions[i];
@@ -143,8 +127,9 @@ visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state
   const std::vector<Points> tops = {middle + lift * normal, middle - lift * normal};
 
   visualization_msgs::MarkerArray array;
-  array.markers.push_back(side(true, middle, normal));
-  array.markers.push_back(side(false, middle, normal));
+  const std::vector<SheetColours::Sides> colours = colours_.draw(middle);
+  array.markers.push_back(side(true, middle, normal, colours));
+  array.markers.push_back(side(false, middle, normal, colours));
   array.markers.push_back(creases(tops, state));
   array.markers.push_back(border(tops));
   array.markers.push_back(pins(middle, state));
@@ -165,19 +150,20 @@ Points MarkerPainter::normals(const Points& points) const {
 
 /// Triangles a hair off the middle of the paper. Where a vertex lies on a crease, each triangle is
 /// lifted along its own normal: the two flaps have no common one.
-MarkerPainter::Marker MarkerPainter::side(bool front, const Points& middle,
-                                          const Points& normals) const {
+MarkerPainter::Marker MarkerPainter::side(bool front, const Points& middle, const Points& normals,
+                                          const std::vector<SheetColours::Sides>& colours) const {
   const double gap = (front ? 1 : -1) * kGap * size_;
-  Marker marker = newMarker(front ? "front" : "back", Marker::TRIANGLE_LIST, sheet_.header);
+  Marker marker = newMarker(front ? "front" : "back", Marker::TRIANGLE_LIST, header_);
   marker.color.a = 1;
   marker.points.reserve(3 * sheet_.triangles.size());
   marker.colors.reserve(sheet_.triangles.size());
-  for (const auto& triangle : sheet_.triangles) {
-    const auto& v = triangle.vertex_indices;
+  for (std::size_t i = 0; i < sheet_.triangles.size(); ++i) {
+    const auto& v = sheet_.triangles[i].vertex_indices;
     const Eigen::Vector3d area = areaVector(middle, v);
     if (!(area.norm() > 1e-12 * size_ * size_)) continue;  // rviz cannot draw it (rviz #925)
     const Eigen::Vector3d normal = area.normalized();
-    marker.colors.push_back(front ? shaded(kFront, normal) : shaded(kBack, -normal));
+    marker.colors.push_back(front ? shaded(colours[i].front, normal)
+                                  : shaded(colours[i].back, -normal));
     for (const int k : {0, front ? 1 : 2, front ? 2 : 1}) {
       const Eigen::Vector3d lift = on_crease_[v[k]] ? normal : normals.col(v[k]);
       marker.points.push_back(point(middle.col(v[k]) + gap * lift));
@@ -188,7 +174,7 @@ MarkerPainter::Marker MarkerPainter::side(bool front, const Points& middle,
 
 MarkerPainter::Marker MarkerPainter::creases(const std::vector<Points>& sides,
                                              const msg::SheetState& state) const {
-  Marker marker = newMarker("creases", Marker::LINE_LIST, sheet_.header);
+  Marker marker = newMarker("creases", Marker::LINE_LIST, header_);
   marker.scale.x = size_ / 150;
   for (std::size_t c = 0; c < sheet_.creases.size(); ++c) {
     const std::vector<std::uint32_t>& line = sheet_.creases[c].vertices;
@@ -204,7 +190,7 @@ MarkerPainter::Marker MarkerPainter::creases(const std::vector<Points>& sides,
 }
 
 MarkerPainter::Marker MarkerPainter::border(const std::vector<Points>& sides) const {
-  Marker marker = newMarker("border", Marker::LINE_LIST, sheet_.header);
+  Marker marker = newMarker("border", Marker::LINE_LIST, header_);
   marker.scale.x = size_ / 300;
   marker.color = kBorder;
   for (const auto& [a, b] : border_) {
@@ -218,7 +204,7 @@ MarkerPainter::Marker MarkerPainter::border(const std::vector<Points>& sides) co
 
 MarkerPainter::Marker MarkerPainter::pins(const Points& points,
                                           const msg::SheetState& state) const {
-  Marker marker = newMarker("pins", Marker::SPHERE_LIST, sheet_.header);
+  Marker marker = newMarker("pins", Marker::SPHERE_LIST, header_);
   marker.scale.x = marker.scale.y = marker.scale.z = size_ / 50;
   marker.color = kPin;
   for (const std::uint32_t v : state.pinned) marker.points.push_back(point(points.col(v)));
@@ -228,7 +214,7 @@ MarkerPainter::Marker MarkerPainter::pins(const Points& points,
 void MarkerPainter::addVertexIds(const Points& points, visualization_msgs::MarkerArray& array) {
   const std::size_t wanted = vertex_ids_ ? static_cast<std::size_t>(points.cols()) : 0;
   for (std::size_t i = 0; i < std::max(wanted, numbered_); ++i) {
-    Marker marker = newMarker("vertex_ids", Marker::TEXT_VIEW_FACING, sheet_.header);
+    Marker marker = newMarker("vertex_ids", Marker::TEXT_VIEW_FACING, header_);
     marker.id = static_cast<int>(i);
     if (i < wanted) {
       marker.pose.position = point(points.col(static_cast<Eigen::Index>(i)));

@@ -2,6 +2,7 @@
 /// The paper as rviz shows it.
 #pragma once
 
+#include "node/colouring.h"
 #include "node/messages.h"
 
 #include <visualization_msgs/MarkerArray.h>
@@ -17,7 +18,8 @@ namespace shell_origami {
 /// ids stay the same from one drawing to the next.
 class MarkerPainter {
  public:
-  explicit MarkerPainter(bool vertex_ids = false) : vertex_ids_(vertex_ids) {}
+  MarkerPainter(bool vertex_ids, Colouring colouring)
+      : vertex_ids_(vertex_ids), colours_(colouring) {}
 
   void showVertexIds(bool shown) { vertex_ids_ = shown; }
   /// A sheet that names vertices it does not have is taken for none.
@@ -31,7 +33,8 @@ class MarkerPainter {
   using Marker = visualization_msgs::Marker;
   using Points = Eigen::Matrix3Xd;
 
-  Marker side(bool front, const Points& middle, const Points& normals) const;
+  Marker side(bool front, const Points& middle, const Points& normals,
+              const std::vector<SheetColours::Sides>& colours) const;
   Marker creases(const std::vector<Points>& sides, const msg::SheetState& state) const;
   Marker border(const std::vector<Points>& sides) const;
   Marker pins(const Points& points, const msg::SheetState& state) const;
@@ -41,6 +44,8 @@ class MarkerPainter {
   bool vertex_ids_;
   std::size_t numbered_ = 0;  ///< vertices whose number rviz shows
   msg::Sheet sheet_;
+  SheetColours colours_;
+  std_msgs::Header header_;  ///< of the markers; without a sequence number, which live differs
   std::vector<std::array<std::uint32_t, 2>> border_;
   std::vector<bool> on_crease_;  ///< for each vertex
   double size_ = 0;              ///< of the flat sheet [m]

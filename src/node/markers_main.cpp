@@ -2,13 +2,25 @@
 /// Draws a recorded run: from the messages Sheet and SheetState, exactly as the live node does.
 
 #include "node/markers.h"
+#include "node/parameter_reader.h"
 
 namespace {
+
+/// \throws std::invalid_argument with one sentence that names the offending parameter.
+shell_origami::MarkerPainter configuredPainter(const ros::NodeHandle& node) {
+  shell_origami::ParameterReader reader(node);
+  bool vertex_ids = false;
+  auto colouring = shell_origami::Colouring::kPaper;
+  reader.read("vertex_ids", vertex_ids);
+  readChoice(reader, "colouring", shell_origami::colouringNames(), colouring);
+  reader.refuseUnread();
+  return {vertex_ids, colouring};
+}
 
 class MarkersNode {
  public:
   explicit MarkersNode(ros::NodeHandle& node)
-      : painter_(node.param("vertex_ids", false)),
+      : painter_(configuredPainter(node)),
         markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 5)),
         sheet_(node.subscribe("sheet", 10, &MarkersNode::onSheet, this)),
         state_(node.subscribe("state", 10, &MarkersNode::onState, this)) {}
@@ -32,6 +44,11 @@ class MarkersNode {
 int main(int argc, char** argv) {
   ros::init(argc, argv, "origami");
   ros::NodeHandle node("~");
-  MarkersNode markers(node);
-  ros::spin();
+  try {
+    MarkersNode markers(node);
+    ros::spin();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
 }

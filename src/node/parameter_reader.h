@@ -3,10 +3,12 @@
 #pragma once
 
 #include "sheet/geometry.h"
+#include "sheet/refuse.h"
 
 #include <ros/node_handle.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -36,5 +38,20 @@ class ParameterReader {
 
   std::map<std::string, XmlRpc::XmlRpcValue> unread_;
 };
+
+/// Reads a parameter that is one of a few words.
+template <class Value>
+void readChoice(ParameterReader& reader, const std::string& name,
+                const std::map<std::string, Value>& choices, Value& value) {
+  std::string word = std::find_if(choices.begin(), choices.end(), [&](const auto& entry) {
+                       return entry.second == value;
+                     })->first;
+  reader.read(name, word);
+  const auto found = choices.find(word);
+  if (found == choices.end()) {
+    refuse("parameter ~", name, " is \"", word, "\", but must be ", alternatives(choices));
+  }
+  value = found->second;
+}
 
 }  // namespace shell_origami

@@ -8,27 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <stdexcept>
 #include <system_error>
 
 namespace shell_origami {
 namespace {
-
-/// Reads a parameter that is one of a few words; `value` stays where it is not set.
-template <class Value>
-void readChoice(ParameterReader& reader, const std::string& name,
-                const std::map<std::string, Value>& choices, Value& value) {
-  std::string word = std::find_if(choices.begin(), choices.end(), [&](const auto& entry) {
-                       return entry.second == value;
-                     })->first;
-  reader.read(name, word);
-  const auto found = choices.find(word);
-  if (found == choices.end()) {
-    refuse("parameter ~", name, " is \"", word, "\", but must be ", alternatives(choices));
-  }
-  value = found->second;
-}
 
 template <class Value>
 void require(bool holds, const std::string& name, const Value& value, const std::string& wanted) {
@@ -113,6 +97,7 @@ NodeConfig loadParameters(const ros::NodeHandle& private_node) {
   reader.read("publish_rate", config.publish_rate);
   reader.read("world_frame", config.world_frame);
   reader.read("vertex_ids", config.vertex_ids);
+  readChoice(reader, "colouring", colouringNames(), config.colouring);
   readClock(reader, config);
   reader.ignore("live");  // what dynamic_reconfigure keeps there
   reader.refuseUnread();

@@ -2,6 +2,7 @@
 /// The node's parameters. config/origami.yaml is their manual.
 #pragma once
 
+#include "node/colouring.h"
 #include "origami/recipe.h"
 
 #include <ros/node_handle.h>
@@ -27,6 +28,7 @@ struct NodeConfig {
   double publish_rate = 30;        ///< [Hz]
   std::string world_frame = "world";
   bool vertex_ids = false;  ///< whether the markers show the vertices' numbers
+  Colouring colouring = Colouring::kPaper;
   ClockMode clock = ClockMode::kFollow;
   double real_time_factor = 1;  ///< simulated over elapsed time, lead only; 0: as fast as it can
 };

@@ -12,7 +12,7 @@ namespace shell_origami {
 Publishers::Publishers(ros::NodeHandle& node, const NodeConfig& config,
                        std::function<msg::Edit()> whole_paper)
     : world_frame_(config.world_frame),
-      painter_(config.vertex_ids),
+      painter_(config.vertex_ids, config.colouring),
       sheet_(node.advertise<msg::Sheet>("sheet", 10, true)),
       state_(node.advertise<msg::SheetState>("state", 100)),
       energy_(node.advertise<msg::Energy>("energy", 100)),

@@ -44,6 +44,7 @@ REFUSALS = [
     ('world_frame', '', ['world_frame']),
     ('world_frame', '/world', ['world_frame', '/world']),
     ('paused', 'yes', ['paused', 'yes', 'true or false']),
+    ('colouring', 'rainbow', ['colouring', 'rainbow', 'curvature or paper or strain']),
     ('clock', 'sundial', ['clock', 'sundial', 'follow or lead']),
     ('clock', 'lead', ['clock', 'lead', 'use_sim_time']),
     ('real_time_factor', -1, ['real_time_factor', '-1']),
@@ -53,16 +54,16 @@ REFUSALS = [
 
 
 class ParametersTest(unittest.TestCase):
-    def start(self):
-        program = roslib.packages.find_node('shell_origami', 'origami_node')[0]
+    def start(self, program='origami_node'):
+        program = roslib.packages.find_node('shell_origami', program)[0]
         return subprocess.Popen([program, '__name:=' + NAME[1:]], stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, universal_newlines=True)
 
-    def test_bad_values_stop_the_start(self):
+    def refused(self, refusals, program):
         wrong = []
-        for parameter, value, words in REFUSALS:
+        for parameter, value, words in refusals:
             rospy.set_param(NAME + '/' + parameter, value)
-            node = self.start()
+            node = self.start(program)
             try:
                 said, _ = node.communicate(timeout=5)
             except subprocess.TimeoutExpired:
@@ -74,6 +75,15 @@ class ParametersTest(unittest.TestCase):
                     not all(word in fatal[0] for word in words)):
                 wrong.append('%s = %s: %s' % (parameter, value, said))
         self.assertEqual(wrong, [])
+
+    def test_bad_values_stop_the_start(self):
+        self.refused(REFUSALS, 'origami_node')
+
+    def test_what_draws_a_recording_refuses_as_the_node_does(self):
+        self.refused([('colouring', 'rainbow', ['colouring', 'rainbow', 'strain']),
+                      ('colouring', 1, ['colouring', '1', 'string']),
+                      ('vertex_ids', 'yes', ['vertex_ids', 'yes', 'true or false']),
+                      ('gravity', [0, 0, 0], ['gravity'])], 'origami_markers')
 
     def test_integers_do_for_numbers(self):
         rospy.set_param(NAME, {'material': {'density': 800}, 'gravity': [0, 0, -10],

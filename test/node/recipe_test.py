@@ -60,8 +60,9 @@ class RecipeTest(unittest.TestCase):
         with rosbag.Bag(self.bag) as bag:
             edits = [m for _, m, _ in bag.read_messages(['/origami/edits'])]
             states = [m for _, m, _ in bag.read_messages(['/origami/state'])]
-        self.assertEqual([edit.kind for edit in edits], ['load', 'pin', 'fold'])
+        self.assertEqual([edit.kind for edit in edits], ['paper', 'pin', 'fold'])
         self.assertEqual([edit.step for edit in edits], [0, 0, 0])
+        self.assertEqual([edit.number for edit in edits], [0, 1, 2])
         stamps = [state.header.stamp.to_sec() for state in states]
         self.assertLess(stamps[0], 1e-6)
         self.assertLess(max(b - a for a, b in zip(stamps, stamps[1:])), 0.25)

@@ -1,0 +1,76 @@
+"""A recorded run: the sheets and states of a bag, without the types that made them."""
+import os
+
+import rosbag
+
+from rviz_config import Failure
+
+SHEET, STATE = "/origami/sheet", "/origami/state"
+
+
+class Recording:
+    """Reads the bag anew for every question, since a long run does not fit into memory."""
+
+    def __init__(self, path):
+        if not os.path.isfile(path):
+            raise Failure("there is no bag '%s'" % path)
+        self.path = path
+        try:
+            self.bag = rosbag.Bag(path)
+        except rosbag.ROSBagUnindexedException:
+            raise Failure("'%s' was not finished: rosbag reindex mends that" % path)
+        except (rosbag.ROSBagException, OSError) as error:
+            raise Failure("cannot read '%s': %s" % (path, error))
+        for topic in (SHEET, STATE):
+            if not self.bag.get_message_count(topic):
+                raise Failure("'%s' holds nothing of %s" % (path, topic))
+        self.sheets = {sheet.revision: sheet for sheet in self._messages(SHEET)}
+
+    def _messages(self, topic):
+        try:
+            for _, message, _ in self.bag.read_messages([topic]):
+                yield message
+        except rosbag.ROSBagException as error:
+            raise Failure("cannot read '%s': %s" % (self.path, error))
+
+    def states(self):
+        """In order, each with the time [s] that has passed since the first. Where stamps go back
+        (a simulator was reset), time goes on from there."""
+        elapsed, last = 0, None
+        for state in self._messages(STATE):
+            sheet = self.sheets.get(state.revision)
+            if sheet is None or len(sheet.flat_positions) != len(state.positions):
+                continue
+            if last is not None:
+                elapsed += max(0, (state.header.stamp - last).to_sec())
+            last = state.header.stamp
+            yield elapsed, state
+
+    def sheet_of(self, state):
+        return self.sheets[state.revision]
+
+    def frames(self, fps, speed):
+        """The states that a film shows, as pairs: which one, and for how many frames. The last is
+        the end of the run."""
+        times = [elapsed for elapsed, _ in self.states()]
+        if not times:
+            raise Failure("no state of '%s' belongs to a sheet of it" % self.path)
+        shown, state = [], 0
+        for frame in range(int(times[-1] / speed * fps + 0.5) + 1):
+            # Half a millisecond for the rounding of stamps.
+            while state + 1 < len(times) and times[state + 1] <= frame * speed / fps + 5e-4:
+                state += 1
+            if shown and shown[-1][0] == state:
+                shown[-1][1] += 1
+            else:
+                shown.append([state, 1])
+        if shown[-1][0] != len(times) - 1:
+            shown.append([len(times) - 1, 1])
+        return shown
+
+    def pick(self, wanted):
+        """The states of these numbers, which ascend."""
+        wanted = set(wanted)
+        for number, (_, state) in enumerate(self.states()):
+            if number in wanted:
+                yield state
