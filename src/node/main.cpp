@@ -1,13 +1,18 @@
 #include "node/diagnostics.h"
 #include "node/live_parameters.h"
+#include "node/master_watch.h"
 #include "node/picking.h"
 #include "node/recipe_action.h"
 #include "node/services.h"
 
 #include <tf2_ros/transform_listener.h>
 
+#include <csignal>
+
 int main(int argc, char** argv) {
   ros::init(argc, argv, "origami");
+  // roscpp ends cleanly of SIGINT alone.
+  std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
   ros::NodeHandle node("~");
   try {
     shell_origami::OrigamiNode origami(node, shell_origami::loadParameters(node));
@@ -19,6 +24,7 @@ int main(int argc, char** argv) {
     shell_origami::Picking picking(node, origami, tf);
     shell_origami::LiveParameters live(node, origami);
     shell_origami::Diagnostics diagnostics(node, origami);
+    const shell_origami::MasterWatch master_watch;
     origami.spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
