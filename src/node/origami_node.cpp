@@ -1,6 +1,7 @@
 #include "node/origami_node.h"
 
 #include "node/edits.h"
+#include "node/sentence.h"
 
 #include <ros/callback_queue.h>
 
@@ -167,10 +168,10 @@ void OrigamiNode::startRecipe(Recipe recipe, const std::string& path,
 
 void OrigamiNode::stop(const std::string& reason) {
   step_.converged = false;
-  step_.failure = reason;
-  ROS_ERROR("paused at %.3f s: %s", paper_.time(), reason.c_str());
+  step_.failure = asSentence(reason);
+  ROS_ERROR("paused at %.3f s: %s", paper_.time(), step_.failure.c_str());
   pause();
-  endRecipe(reason);
+  endRecipe(step_.failure);
 }
 
 void OrigamiNode::load(const std::string& path) {

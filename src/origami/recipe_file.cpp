@@ -378,6 +378,9 @@ Recipe read(const std::string& file, std::istream& text, const fs::path& folder,
 
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
                   const SheetSource& sheet, const Overrides& overrides) {
+  std::error_code ignored;
+  // A pipe may never say a word, and /dev/zero never ends.
+  if (!fs::is_regular_file(path, ignored)) refuse(path, ": there is no such file");
   std::ifstream file(path);
   if (!file) refuse(path, ": the file cannot be read");
   Recipe recipe;

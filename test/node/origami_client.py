@@ -35,6 +35,10 @@ class Recorder(object):
         with self.news:
             return list(self.messages)
 
+    def forget(self):
+        with self.news:
+            self.messages.clear()
+
     def wait(self, wanted=lambda message: True, since=0, timeout=10):
         """The first message from index `since` on that is wanted."""
         deadline = time.time() + timeout
