@@ -1,9 +1,7 @@
 """Nodes that a test starts and ends itself."""
 
-import os
 import resource
 import subprocess
-import time
 
 import roslib.packages
 import rospy
@@ -31,11 +29,6 @@ class OwnNode(object):
             [program('origami_node'), '__name:=' + name], restore_signals=False,
             preexec_fn=lambda: largest_file and limit_files(largest_file))
         self.origami = Origami(self.name)
-
-    def memory(self):
-        """What it keeps resident [bytes]."""
-        with open('/proc/%d/statm' % self.process.pid) as statm:
-            return int(statm.read().split()[1]) * os.sysconf('SC_PAGE_SIZE')
 
     def end(self, signal, timeout=10):
         """Sends it a signal and returns its exit code."""
