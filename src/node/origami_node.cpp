@@ -54,7 +54,10 @@ OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
       waiting_(config.wait_for_recorder && !config.paused) {
   const Sheet& sheet = paper_.simulation().sheet();
   ROS_INFO("a sheet of %d vertices and %zu triangles is ready%s", sheet.vertexCount(),
-           sheet.triangles().size(), paused_ ? ", paused" : "");
+           sheet.triangles().size(),
+           waiting_  ? ", and waits for a recorder; ~resume starts without"
+           : paused_ ? ", paused"
+                     : "");
 }
 
 void OrigamiNode::spin() {
