@@ -45,7 +45,7 @@ class MarkersNode {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "origami");
-  // roscpp ends in order on SIGINT alone.
+  // roscpp ends cleanly of SIGINT alone.
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
   ros::NodeHandle node("~");
   try {

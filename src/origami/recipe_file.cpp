@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <map>
-#include <sstream>
 #include <utility>
 
 namespace shell_origami {
@@ -355,26 +355,30 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
   }
 }
 
-/// \param file  what complaints call it
-Recipe read(const std::string& file, std::istream& text, const fs::path& folder, Recipe recipe,
-            const Overrides& overrides) {
-  const Reader reader(file);
+}  // namespace
+
+Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
+                  const SheetSource& sheet, const Overrides& overrides) {
+  const Reader reader(source.called);
+  Recipe recipe;
+  recipe.source = source;
+  recipe.name = fs::path(source.called).stem().string();
+  recipe.config = defaults;
+  recipe.sheet = sheet;
   try {
-    YAML::Node root = YAML::Load(text);
+    YAML::Node root = YAML::Load(source.text);
     apply(overrides, reader, root);
-    readRoot(reader, root, folder, recipe);
+    readRoot(reader, root, source.folder, recipe);
   } catch (const YAML::Exception& error) {
-    refuse(file, ", line ", error.mark.line + 1, ": ", error.msg);
+    refuse(source.called, ", line ", error.mark.line + 1, ": ", error.msg);
   }
   try {
     checkConfig(recipe.config);
   } catch (const std::invalid_argument& error) {
-    refuse(file, ": ", error.what());
+    refuse(source.called, ": ", error.what());
   }
   return recipe;
 }
-
-}  // namespace
 
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
                   const SheetSource& sheet, const Overrides& overrides) {
@@ -382,22 +386,10 @@ Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
   // A pipe may never say a word, and /dev/zero never ends.
   if (!fs::is_regular_file(path, ignored)) refuse(path, ": there is no such file");
   std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file) refuse(path, ": the file cannot be read");
-  Recipe recipe;
-  recipe.name = fs::path(path).stem().string();
-  recipe.config = defaults;
-  recipe.sheet = sheet;
-  return read(path, file, fs::path(path).parent_path(), std::move(recipe), overrides);
-}
-
-Recipe readRecipe(const std::string& text, const SimulationConfig& defaults,
-                  const SheetSource& sheet) {
-  std::istringstream stream(text);
-  Recipe recipe;
-  recipe.name = "yaml";
-  recipe.config = defaults;
-  recipe.sheet = sheet;
-  return read(recipe.name, stream, "", recipe, {});
+  return readRecipe({path, fs::path(path).parent_path().string(), text}, defaults, sheet,
+                    overrides);
 }
 
 }  // namespace shell_origami

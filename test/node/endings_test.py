@@ -35,6 +35,7 @@ class EndingsTest(unittest.TestCase):
     def check_end(self, begin=lambda node: None, **parameters):
         for number in SIGNALS:
             node = OwnNode('mortal', **parameters)
+            self.addCleanup(node.process.kill)
             begin(node)
             self.assertEqual(node.end(number), 0, number)
             self.assertNotIn(node.name, rosnode.get_node_names(), 'the master has forgotten it')
@@ -73,11 +74,12 @@ class EndingsTest(unittest.TestCase):
         states = Recorder('/origami/state', SheetState)
         for number in SIGNALS:
             bag = os.path.join(self.folder, 'run%d.bag' % number)
+            states.forget()
             launched = subprocess.Popen(
                 ['roslaunch', 'shell_origami', 'origami.launch', 'rviz:=false',
                  'recipe:=' + self.recipe, 'record:=' + bag], stdout=subprocess.DEVNULL)
+            self.addCleanup(launched.kill)
             states.wait(lambda state: state.step > 30, timeout=30)  # it waited for the recorder
-            states.forget()
             launched.send_signal(number)
             self.assertEqual(launched.wait(30), 0)
             self.assertEqual([name for name in os.listdir(self.folder) if 'active' in name], [])
