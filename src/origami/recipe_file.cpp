@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <map>
-#include <sstream>
 #include <utility>
 
 namespace shell_origami {
@@ -382,10 +382,13 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
 
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
                   const SheetSource& sheet, const Overrides& overrides) {
+  std::error_code ignored;
+  // A pipe may never say a word, and /dev/zero never ends.
+  if (!fs::is_regular_file(path, ignored)) refuse(path, ": there is no such file");
   std::ifstream file(path);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) refuse(path, ": the file cannot be read");
-  return readRecipe({path, fs::path(path).parent_path().string(), text.str()}, defaults, sheet,
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) refuse(path, ": the file cannot be read");
+  return readRecipe({path, fs::path(path).parent_path().string(), text}, defaults, sheet,
                     overrides);
 }
 
