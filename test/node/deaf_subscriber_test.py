@@ -12,10 +12,11 @@ from visualization_msgs.msg import MarkerArray
 from origami_client import NodeTest, Recorder
 from shell_origami.msg import Edit, Energy, SheetState
 
-STEPS = 1000  # published each, in so many that every queue is full
-# What is published meanwhile would be more than twice of what the node is. Queues of those who do
-# read are now fuller, now emptier.
-MOST_GROWTH = 1.2
+STEPS = 250  # published each, more than any queue holds but that of edits
+ROUNDS = 20
+# What is published meanwhile would be more than twice of what the node is. Before messages come to
+# a subscriber's queue they wait for roscpp's own thread, on a busy machine a whole round of them.
+MOST_GROWTH = 1.5
 
 
 class DeafSubscriber(object):
@@ -51,19 +52,19 @@ class DeafSubscriberTest(NodeTest):
         deaf = [DeafSubscriber('/origami/' + name, message) for name, message in
                 [('state', SheetState), ('markers', MarkerArray), ('energy', Energy), ('edits', Edit)]
                 for _ in range(3)]
-        for _ in range(3):
+        for _ in range(8):
             self.publish()
         before = self.origami.memory()
         markers.forget()
         steps = []
-        for _ in range(5):
+        for _ in range(ROUNDS):
             steps += [state.step for state in self.publish()]
         growth = float(self.origami.memory()) / before
         rospy.loginfo('%d bytes, then %.4f of it; %d states heard, %d of markers', before, growth,
                       len(steps), len(markers.all()))
         self.assertLess(growth, MOST_GROWTH)
         self.assertEqual(steps, sorted(steps))
-        self.assertGreater(len(steps), STEPS)
+        self.assertGreater(len(steps), ROUNDS * STEPS / 5)
         self.assertGreater(len(markers.all()), 10)
         self.assertEqual(len(deaf), 12)  # they were there all the time
 
