@@ -1,7 +1,6 @@
+#include "origami/bounded_yaml.h"
 #include "origami/recipe.h"
 #include "sheet/refuse.h"
-
-#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 #include <filesystem>
@@ -322,7 +321,7 @@ void apply(const Overrides& overrides, const Reader& reader, YAML::Node root) {
         reader.refuseAt(place, "'", key, "' does not lead to a value");
       }
     }
-    place[key.substr(start)] = YAML::Load(value);
+    place[key.substr(start)] = loadBoundedYaml(value);
   }
 }
 
@@ -356,11 +355,11 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
 }
 
 /// \param file  what complaints call it
-Recipe read(const std::string& file, std::istream& text, const fs::path& folder, Recipe recipe,
+Recipe read(const std::string& file, const std::string& text, const fs::path& folder, Recipe recipe,
             const Overrides& overrides) {
   const Reader reader(file);
   try {
-    YAML::Node root = YAML::Load(text);
+    YAML::Node root = loadBoundedYaml(text);
     apply(overrides, reader, root);
     readRoot(reader, root, folder, recipe);
   } catch (const YAML::Exception& error) {
@@ -380,21 +379,22 @@ Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
                   const SheetSource& sheet, const Overrides& overrides) {
   std::ifstream file(path);
   if (!file) refuse(path, ": the file cannot be read");
+  std::ostringstream text;
+  text << file.rdbuf();
   Recipe recipe;
   recipe.name = fs::path(path).stem().string();
   recipe.config = defaults;
   recipe.sheet = sheet;
-  return read(path, file, fs::path(path).parent_path(), std::move(recipe), overrides);
+  return read(path, text.str(), fs::path(path).parent_path(), std::move(recipe), overrides);
 }
 
 Recipe readRecipe(const std::string& text, const SimulationConfig& defaults,
                   const SheetSource& sheet) {
-  std::istringstream stream(text);
   Recipe recipe;
   recipe.name = "yaml";
   recipe.config = defaults;
   recipe.sheet = sheet;
-  return read(recipe.name, stream, "", recipe, {});
+  return read(recipe.name, text, "", recipe, {});
 }
 
 }  // namespace shell_origami
