@@ -6,8 +6,12 @@
 
 #include <tf2_ros/transform_listener.h>
 
+#include <csignal>
+
 int main(int argc, char** argv) {
   ros::init(argc, argv, "origami");
+  // roscpp ends cleanly of SIGINT alone.
+  std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
   ros::NodeHandle node("~");
   try {
     shell_origami::OrigamiNode origami(node, shell_origami::loadParameters(node));

@@ -19,15 +19,21 @@ constexpr double kWaitPeriod = 0.02;
 /// How long a recorder takes from subscribing to listening [s].
 constexpr double kRecorderStart = 0.3;
 
-std::optional<RecipeRun> parameterRecipe(const NodeConfig& config) {
-  if (config.recipe.empty()) return std::nullopt;
-  return RecipeRun(loadRecipe(findRecipe(config.recipe), config.simulation, config.sheet),
-                   config.output);
+/// The sheet and the recipe of the parameters.
+Run newRun(const NodeConfig& config) {
+  if (config.recipe.empty()) {
+    return {Paper(makeSimulation(config.sheet, config.simulation)), std::nullopt, config.paused};
+  }
+  Recipe recipe = loadRecipe(findRecipe(config.recipe), config.simulation, config.sheet);
+  Simulation simulation = makeSimulation(recipe.sheet, recipe.config);
+  return {Paper(std::move(simulation)), RecipeRun(std::move(recipe), config.output), config.paused};
 }
 
-Simulation firstPaper(const NodeConfig& config, const std::optional<RecipeRun>& recipe) {
-  if (recipe) return makeSimulation(recipe->recipe().sheet, recipe->recipe().config);
-  return makeSimulation(config.sheet, config.simulation);
+Run beginRun(const NodeConfig& config, const Checkpoint& checkpoint) {
+  std::optional<Run> kept = checkpoint.read();
+  if (!kept) return newRun(config);
+  ROS_INFO("going on from %s, at %.3f s", config.checkpoint.c_str(), kept->paper.time());
+  return std::move(*kept);
 }
 
 Simulation paperFromFile(const NodeConfig& config, const std::string& path) {
@@ -45,15 +51,15 @@ Simulation paperFromFile(const NodeConfig& config, const std::string& path) {
 
 OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
     : config_(config),
-      recipe_(parameterRecipe(config)),
-      paper_(firstPaper(config, recipe_)),
+      checkpoint_(config.checkpoint, config.checkpoint_period),
+      run_(beginRun(config, checkpoint_)),
       clock_(makeStepClock(node, config)),
       publishers_(node, config, [this] { return wholePaper(); }),
-      paused_(config.paused || config.wait_for_recorder),
-      waiting_(config.wait_for_recorder && !config.paused) {
-  const Sheet& sheet = paper_.simulation().sheet();
+      waiting_(config.wait_for_recorder && !run_.paused) {
+  run_.paused = run_.paused || waiting_;
+  const Sheet& sheet = run_.paper.simulation().sheet();
   ROS_INFO("a sheet of %d vertices and %zu triangles is ready%s", sheet.vertexCount(),
-           sheet.triangles().size(), paused_ ? ", paused" : "");
+           sheet.triangles().size(), run_.paused ? ", paused" : "");
 }
 
 void OrigamiNode::spin() {
@@ -62,14 +68,17 @@ void OrigamiNode::spin() {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(publishDue() ? 0 : wait));
     publishEdits();
     if (waiting_ && publishers_.recorded()) startRecorded();
-    if (!paused_ && untilNextStep() <= 0) advance();
+    if (!run_.paused && untilNextStep() <= 0) advance();
     if (publishDue()) publish();
+    keepCheckpoint();
   }
+  run_.paper.takeEdits();  // counts them
+  if (!waiting_) checkpoint_.write(run_);
 }
 
 double OrigamiNode::untilNextStep() {
-  if (paused_) return waiting_ ? kWaitPeriod : kIdlePeriod;
-  return clock_->wait(paper_.time(), paper_.simulation().config().solver.time_step);
+  if (run_.paused) return waiting_ ? kWaitPeriod : kIdlePeriod;
+  return clock_->wait(run_.paper.time(), run_.paper.simulation().config().solver.time_step);
 }
 
 /// The recording begins with the paper as it lies there. rosbag listens a moment after it has
@@ -86,19 +95,19 @@ void OrigamiNode::configure(const NodeConfig& config) {
   config_.vertex_ids = config.vertex_ids;
   config_.real_time_factor = config.real_time_factor;
   publishers_.showVertexIds(config.vertex_ids);
-  clock_->setFactor(config.real_time_factor, paper_.time());
+  clock_->setFactor(config.real_time_factor, run_.paper.time());
   changed_ = true;
 }
 
 void OrigamiNode::pause() {
-  paused_ = true;
+  run_.paused = true;
   waiting_ = false;
   changed_ = true;
 }
 
 void OrigamiNode::resume() {
-  clock_->hold(paper_.time());
-  paused_ = false;
+  clock_->hold(run_.paper.time());
+  run_.paused = false;
   waiting_ = false;
 }
 
@@ -116,22 +125,28 @@ std::uint32_t OrigamiNode::takeSteps(std::uint32_t count) {
 /// pauses where it did not.
 bool OrigamiNode::advance() {
   if (!continueRecipe()) return false;
-  const double time_step = paper_.simulation().config().solver.time_step;
-  if (carrier_) carrier_(time_step, clock_->stamp(paper_.time() + time_step));
-  step_ = paper_.simulation().step();
+  const double time_step = run_.paper.simulation().config().solver.time_step;
+  if (carrier_) carrier_(time_step, clock_->stamp(run_.paper.time() + time_step));
+  step_ = run_.paper.simulation().step();
   if (!step_.converged) {
     stop(step_.failure);
     return false;
   }
-  clock_->announce(paper_.time());
+  clock_->announce(run_.paper.time());
+  keepCheckpoint();
   return true;
 }
 
+void OrigamiNode::keepCheckpoint() {
+  publishEdits();
+  if (!waiting_) checkpoint_.keep(run_);
+}
+
 bool OrigamiNode::continueRecipe() {
-  if (!recipe_) return true;
+  if (!run_.recipe) return true;
   bool held = true;
   try {
-    if (!recipe_->update(paper_.simulation())) {
+    if (!run_.recipe->update(run_.paper.simulation())) {
       endRecipe();
       // Nobody wants a finished paper to lie there as fast as the machine can.
       if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) pause();
@@ -146,29 +161,29 @@ bool OrigamiNode::continueRecipe() {
 
 /// None is under way any more by the time the listener hears of it.
 void OrigamiNode::endRecipe(const std::string& why) {
-  if (!recipe_) return;
-  RecipeRun ended = std::move(*recipe_);
-  recipe_.reset();
+  if (!run_.recipe) return;
+  RecipeRun ended = std::move(*run_.recipe);
+  run_.recipe.reset();
   ended.end(why);
 }
 
 void OrigamiNode::cancelRecipe(const std::string& why) {
-  if (!recipe_) return;
-  paper_.simulation().stopFolds();
+  if (!run_.recipe) return;
+  run_.paper.simulation().stopFolds();
   endRecipe(why);
 }
 
 void OrigamiNode::startRecipe(Recipe recipe, const std::string& path,
                               RecipeRun::Listener listener) {
   if (recipe.states("sheet")) replacePaper(makeSimulation(recipe.sheet, recipe.config), path);
-  recipe_.emplace(std::move(recipe), "", std::move(listener));
+  run_.recipe.emplace(std::move(recipe), "", std::move(listener));
   if (!waiting_) resume();
 }
 
 void OrigamiNode::stop(const std::string& reason) {
   step_.converged = false;
   step_.failure = reason;
-  ROS_ERROR("paused at %.3f s: %s", paper_.time(), reason.c_str());
+  ROS_ERROR("paused at %.3f s: %s", run_.paper.time(), reason.c_str());
   pause();
   endRecipe(reason);
 }
@@ -180,8 +195,8 @@ void OrigamiNode::load(const std::string& path) {
 void OrigamiNode::replacePaper(Simulation simulation, const std::string& path) {
   publishEdits();
   endRecipe("another paper takes the place of this one");
-  paper_.replace(std::move(simulation));
-  clock_->hold(paper_.time());  // it may have taken long
+  run_.paper.replace(std::move(simulation));
+  clock_->hold(run_.paper.time());  // it may have taken long
   step_ = {};
   replaced(msg::Edit::LOAD, path);
 }
@@ -189,20 +204,20 @@ void OrigamiNode::replacePaper(Simulation simulation, const std::string& path) {
 void OrigamiNode::reset() {
   publishEdits();
   endRecipe("the paper is reset");
-  paper_.reset();
+  run_.paper.reset();
   step_ = {};
   replaced(msg::Edit::RESET);
 }
 
 /// Tells everyone of another paper.
 void OrigamiNode::replaced(const std::string& kind, const std::string& path) {
-  publishers_.publishEdit(paperMessage(paper_, kind, path), stamp());
+  publishers_.publishEdit(paperMessage(run_.paper, kind, path), stamp());
   changed_ = true;
 }
 
 msg::Edit OrigamiNode::wholePaper() {
   publishEdits();
-  msg::Edit edit = paperMessage(paper_, msg::Edit::PAPER);
+  msg::Edit edit = paperMessage(run_.paper, msg::Edit::PAPER);
   edit.header.stamp = stamp();
   edit.header.frame_id = config_.world_frame;
   return edit;
@@ -210,20 +225,20 @@ msg::Edit OrigamiNode::wholePaper() {
 
 /// Tells everyone of the edits that the paper took, be they of a request or of the recipe.
 void OrigamiNode::publishEdits() {
-  for (const EditRecord& edit : paper_.takeEdits()) {
+  for (const EditRecord& edit : run_.paper.takeEdits()) {
     publishers_.publishEdit(editMessage(edit), stamp());
     changed_ = true;
   }
 }
 
 ros::Time OrigamiNode::stamp() {
-  if (paused_) clock_->hold(paper_.time());
-  return clock_->stamp(paper_.time());
+  if (run_.paused) clock_->hold(run_.paper.time());
+  return clock_->stamp(run_.paper.time());
 }
 
 /// A paused paper is due after a change, and now and then for whoever came late.
 bool OrigamiNode::publishDue() {
-  if (!paused_) return movingDue();
+  if (!run_.paused) return movingDue();
   if (stamp().isZero()) return false;
   return changed_ || (ros::SteadyTime::now() - last_publish_).toSec() >= kIdlePeriod;
 }
@@ -233,7 +248,7 @@ bool OrigamiNode::publishDue() {
 bool OrigamiNode::movingDue() {
   const ros::Time stamp = this->stamp();
   if (stamp == last_stamp_ || stamp.isZero()) return false;
-  const double time_step = paper_.simulation().config().solver.time_step;
+  const double time_step = run_.paper.simulation().config().solver.time_step;
   const double early = (next_publish_ - stamp).toSec();
   return changed_ || early < 0.5 * time_step || early > 2 / config_.publish_rate;
 }
@@ -242,9 +257,9 @@ void OrigamiNode::publish() {
   publishEdits();
   const ros::SteadyTime wall = ros::SteadyTime::now();
   const ros::Time stamp = this->stamp();
-  real_time_factor_.sample(wall.toSec(), paper_.time());
-  if (paused_) clock_->announce(paper_.time());
-  publishers_.publish(paper_, step_, real_time_factor_.value(), stamp);
+  real_time_factor_.sample(wall.toSec(), run_.paper.time());
+  if (run_.paused) clock_->announce(run_.paper.time());
+  publishers_.publish(run_.paper, step_, real_time_factor_.value(), stamp);
 
   const ros::Duration period(1 / config_.publish_rate);
   next_publish_ += period;

@@ -2,6 +2,7 @@
 /// The node: steps the paper, carries out the recipe, publishes.
 #pragma once
 
+#include "node/checkpoint.h"
 #include "node/paper.h"
 #include "node/parameters.h"
 #include "node/publishers.h"
@@ -27,13 +28,13 @@ class OrigamiNode {
   void spin();
 
   const NodeConfig& config() const { return config_; }
-  Paper& paper() { return paper_; }
+  Paper& paper() { return run_.paper; }
   /// Takes over what may change while the node runs: publish_rate, vertex_ids, real_time_factor.
   void configure(const NodeConfig& config);
   /// Of the paper as it is now. Zero: there is no ROS time yet.
   ros::Time stamp();
 
-  bool paused() const { return paused_; }
+  bool paused() const { return run_.paused; }
   void pause();
   void resume();
   /// Takes so many steps, whether paused or not. Returns how many held.
@@ -55,7 +56,7 @@ class OrigamiNode {
   void reset();
 
   /// The recipe under way; null where there is none.
-  RecipeRun* recipe() { return recipe_ ? &*recipe_ : nullptr; }
+  RecipeRun* recipe() { return run_.recipe ? &*run_.recipe : nullptr; }
   /// Lets time run and folds by a recipe, while none is under way: its own sheet, or the paper that
   /// lies there where it states none.
   /// \param path  of the recipe; empty: it was given as text
@@ -70,6 +71,7 @@ class OrigamiNode {
   void replaced(const std::string& kind, const std::string& path = "");
   msg::Edit wholePaper();
   void publishEdits();
+  void keepCheckpoint();
   bool advance();
   bool continueRecipe();
   void endRecipe(const std::string& why = "");
@@ -81,14 +83,13 @@ class OrigamiNode {
   void publish();
 
   NodeConfig config_;
-  std::optional<RecipeRun> recipe_;
-  Paper paper_;
+  Checkpoint checkpoint_;
+  Run run_;
   std::unique_ptr<StepClock> clock_;
   Publishers publishers_;
   Carrier carrier_;
   RealTimeFactor real_time_factor_;
-  StepReport step_;  ///< the last one
-  bool paused_;
+  StepReport step_;      ///< the last one
   bool waiting_;         ///< paused only until someone records
   bool changed_ = true;  ///< by a request, since the last time the paper was published
   ros::Time next_publish_;

@@ -71,6 +71,9 @@ void checkParameters(const NodeConfig& config) {
   const auto& [slowest, fastest] = kPublishRateBounds;
   require(config.publish_rate >= slowest && config.publish_rate <= fastest, "publish_rate",
           config.publish_rate, "from 0.01 to 1000");
+  const auto& [shortest, longest] = kCheckpointPeriodBounds;
+  require(config.checkpoint_period >= shortest && config.checkpoint_period <= longest,
+          "checkpoint/period", config.checkpoint_period, "from 0.1 to 1e6");
   require(!config.world_frame.empty() && config.world_frame[0] != '/', "world_frame",
           '"' + config.world_frame + '"', "a frame's name without a leading slash");
   require(config.real_time_factor >= 0 && std::isfinite(config.real_time_factor),
@@ -94,6 +97,8 @@ NodeConfig loadParameters(const ros::NodeHandle& private_node) {
   reader.read("output", config.output);
   reader.read("paused", config.paused);
   reader.read("wait_for_recorder", config.wait_for_recorder);
+  reader.read("checkpoint/file", config.checkpoint);
+  reader.read("checkpoint/period", config.checkpoint_period);
   reader.read("publish_rate", config.publish_rate);
   reader.read("world_frame", config.world_frame);
   reader.read("vertex_ids", config.vertex_ids);

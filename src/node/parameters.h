@@ -16,7 +16,8 @@ enum class ClockMode {
   kLead,    ///< publishes /clock itself
 };
 
-constexpr Bounds kPublishRateBounds{0.01, 1000};  ///< [Hz]
+constexpr Bounds kPublishRateBounds{0.01, 1000};     ///< [Hz]
+constexpr Bounds kCheckpointPeriodBounds{0.1, 1e6};  ///< [s]
 
 struct NodeConfig {
   SimulationConfig simulation;
@@ -26,6 +27,8 @@ struct NodeConfig {
   bool paused = false;  ///< whether the node starts paused
   bool wait_for_recorder = false;  ///< whether to start once ~sheet, ~state, ~edits are heard
   double publish_rate = 30;        ///< [Hz]
+  std::string checkpoint;          ///< file to go on from and to keep; empty: none
+  double checkpoint_period = 10;   ///< [s] of wall time
   std::string world_frame = "world";
   bool vertex_ids = false;  ///< whether the markers show the vertices' numbers
   Colouring colouring = Colouring::kPaper;

@@ -23,8 +23,9 @@ Recipe recipeOf(const msg::FoldRecipeGoal& goal, const std::string& path,
   if (goal.yaml.size() > kLongestYaml) {
     refuse("yaml is ", goal.yaml.size(), " bytes long, but may be ", kLongestYaml, " at most");
   }
-  Recipe recipe = goal.yaml.empty() ? loadRecipe(path, config.simulation, config.sheet)
-                                    : readRecipe(goal.yaml, config.simulation, config.sheet);
+  Recipe recipe = goal.yaml.empty()
+                      ? loadRecipe(path, config.simulation, config.sheet)
+                      : readRecipe({"yaml", "", goal.yaml}, config.simulation, config.sheet);
   if (recipe.states("sheet")) return recipe;
   for (const char* word : {"material", "solver", "gravity"}) {
     if (recipe.states(word)) {

@@ -12,6 +12,21 @@ namespace shell_origami {
 RecipeRun::RecipeRun(Recipe recipe, std::string output, Listener listener)
     : runner_(std::move(recipe)), output_(std::move(output)), listener_(std::move(listener)) {}
 
+RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
+    : runner_(readRecipe({checkpoint.at("called"), checkpoint.at("folder"), checkpoint.at("text")}),
+              {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("step_start")}),
+      output_(checkpoint.at("output")),
+      start_(ros::SteadyTime::now()),
+      start_time_(checkpoint.at("start")) {}
+
+nlohmann::json RecipeRun::checkpoint() const {
+  const RecipeText& source = recipe().source;
+  const RecipePlace& place = runner_.place();
+  return {{"called", source.called}, {"folder", source.folder},  {"text", source.text},
+          {"step", place.step},      {"started", place.started}, {"step_start", place.start_time},
+          {"output", output_},       {"start", start_time_}};
+}
+
 bool RecipeRun::update(Simulation& simulation) {
   if (start_.isZero()) {
     start_ = ros::SteadyTime::now();
@@ -35,7 +50,7 @@ void RecipeRun::end(const std::string& why) {
 }
 
 int RecipeRun::stepNumber() const {
-  return std::min(runner_.stepIndex() + 1, static_cast<int>(recipe().steps.size()));
+  return std::min(runner_.place().step + 1, static_cast<int>(recipe().steps.size()));
 }
 
 std::string RecipeRun::place() const {

@@ -6,6 +6,8 @@
 
 #include <ros/time.h>
 
+#include <nlohmann/json.hpp>
+
 #include <functional>
 #include <string>
 
@@ -18,6 +20,10 @@ class RecipeRun {
 
   /// \param output  folder for the results; empty: none are written
   RecipeRun(Recipe recipe, std::string output, Listener listener = nullptr);
+  /// Goes on where checkpoint() was taken; nobody listens.
+  /// \throws std::invalid_argument, nlohmann::json::exception
+  explicit RecipeRun(const nlohmann::json& checkpoint);
+  nlohmann::json checkpoint() const;
 
   /// Does what is due before the next step. Returns false once the recipe is over.
   /// \throws std::exception when the paper refuses an edit or the results cannot be written.

@@ -37,7 +37,8 @@ Simulation makeSimulation(const SheetSource& source, const SimulationConfig& con
   return Simulation(std::move(paper.sheet), config, positions, paper.rest_angles);
 }
 
-RecipeRunner::RecipeRunner(Recipe recipe) : recipe_(std::move(recipe)) {}
+RecipeRunner::RecipeRunner(Recipe recipe, const RecipePlace& place)
+    : recipe_(std::move(recipe)), place_(place) {}
 
 namespace {
 
@@ -95,15 +96,15 @@ struct Length {
 
 bool RecipeRunner::update(Simulation& simulation) {
   while (!finished()) {
-    const RecipeStep& step = recipe_.steps[index_];
-    if (!started_) {
+    const RecipeStep& step = recipe_.steps[place_.step];
+    if (!place_.started) {
       std::visit(Start{simulation}, step);
-      started_ = true;
-      start_time_ = simulation.time();
+      place_.started = true;
+      place_.start_time = simulation.time();
     }
-    if (!std::visit(Over{simulation, simulation.time() - start_time_}, step)) return true;
-    ++index_;
-    started_ = false;
+    if (!std::visit(Over{simulation, simulation.time() - place_.start_time}, step)) return true;
+    ++place_.step;
+    place_.started = false;
   }
   return false;
 }
@@ -113,14 +114,15 @@ double RecipeRunner::progress(const Simulation& simulation) const {
   for (int i = 0; i < static_cast<int>(recipe_.steps.size()); ++i) {
     const double length = std::visit(Length{}, recipe_.steps[i]);
     total += length;
-    if (i < index_) done += length;
-    if (i == index_ && started_) done += std::min(length, simulation.time() - start_time_);
+    if (i < place_.step) done += length;
+    if (i == place_.step && place_.started)
+      done += std::min(length, simulation.time() - place_.start_time);
   }
   return finished() || total == 0 ? 1 : done / total;
 }
 
 std::string RecipeRunner::doing() const {
-  return finished() ? "done" : std::visit(Word{}, recipe_.steps[index_]);
+  return finished() ? "done" : std::visit(Word{}, recipe_.steps[place_.step]);
 }
 
 }  // namespace shell_origami

@@ -50,7 +50,15 @@ struct View {
   double distance = 0.4;          ///< [m]
 };
 
+/// A recipe as people write it.
+struct RecipeText {
+  std::string called = "yaml";  ///< its path, or another word that complaints call it by
+  std::string folder;           ///< which relative paths in it are relative to
+  std::string text;
+};
+
 struct Recipe {
+  RecipeText source;
   std::string name;  ///< file name without folder and extension
   SheetSource sheet;
   SimulationConfig config;
@@ -70,31 +78,35 @@ using Overrides = std::vector<std::pair<std::string, std::string>>;
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults = {},
                   const SheetSource& sheet = {}, const Overrides& overrides = {});
 
-/// Reads a recipe that is not in a file. Relative paths in it are relative to the working
-/// directory.
-Recipe readRecipe(const std::string& text, const SimulationConfig& defaults = {},
-                  const SheetSource& sheet = {});
+/// The same of a recipe that is not in a file.
+Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults = {},
+                  const SheetSource& sheet = {}, const Overrides& overrides = {});
+
+/// How far a recipe is.
+struct RecipePlace {
+  int step = 0;           ///< under way, 0-based
+  bool started = false;   ///< whether that step's edits are made
+  double start_time = 0;  ///< of that step [s]
+};
 
 /// Carries a recipe out on a simulation. Call update() before each step.
 class RecipeRunner {
  public:
-  explicit RecipeRunner(Recipe recipe);
+  explicit RecipeRunner(Recipe recipe, const RecipePlace& place = {});
 
   /// Does what is due now. Returns false once every step of the recipe is done.
   /// \throws std::invalid_argument when the paper refuses an edit of the recipe.
   bool update(Simulation& simulation);
 
   const Recipe& recipe() const { return recipe_; }
-  int stepIndex() const { return index_; }  ///< of the step under way, 0-based
-  bool finished() const { return index_ >= static_cast<int>(recipe_.steps.size()); }
+  const RecipePlace& place() const { return place_; }
+  bool finished() const { return place_.step >= static_cast<int>(recipe_.steps.size()); }
   double progress(const Simulation& simulation) const;  ///< 0..1
   std::string doing() const;                            ///< one word for the step under way
 
  private:
   Recipe recipe_;
-  int index_ = 0;
-  bool started_ = false;
-  double start_time_ = 0;
+  RecipePlace place_;
 };
 
 }  // namespace shell_origami

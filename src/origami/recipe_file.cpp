@@ -354,47 +354,38 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
   }
 }
 
-/// \param file  what complaints call it
-Recipe read(const std::string& file, const std::string& text, const fs::path& folder, Recipe recipe,
-            const Overrides& overrides) {
-  const Reader reader(file);
+}  // namespace
+
+Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
+                  const SheetSource& sheet, const Overrides& overrides) {
+  const Reader reader(source.called);
+  Recipe recipe;
+  recipe.source = source;
+  recipe.name = fs::path(source.called).stem().string();
+  recipe.config = defaults;
+  recipe.sheet = sheet;
   try {
-    YAML::Node root = loadBoundedYaml(text);
+    YAML::Node root = loadBoundedYaml(source.text);
     apply(overrides, reader, root);
-    readRoot(reader, root, folder, recipe);
+    readRoot(reader, root, source.folder, recipe);
   } catch (const YAML::Exception& error) {
-    refuse(file, ", line ", error.mark.line + 1, ": ", error.msg);
+    refuse(source.called, ", line ", error.mark.line + 1, ": ", error.msg);
   }
   try {
     checkConfig(recipe.config);
   } catch (const std::invalid_argument& error) {
-    refuse(file, ": ", error.what());
+    refuse(source.called, ": ", error.what());
   }
   return recipe;
 }
 
-}  // namespace
-
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
                   const SheetSource& sheet, const Overrides& overrides) {
   std::ifstream file(path);
-  if (!file) refuse(path, ": the file cannot be read");
   std::ostringstream text;
-  text << file.rdbuf();
-  Recipe recipe;
-  recipe.name = fs::path(path).stem().string();
-  recipe.config = defaults;
-  recipe.sheet = sheet;
-  return read(path, text.str(), fs::path(path).parent_path(), std::move(recipe), overrides);
-}
-
-Recipe readRecipe(const std::string& text, const SimulationConfig& defaults,
-                  const SheetSource& sheet) {
-  Recipe recipe;
-  recipe.name = "yaml";
-  recipe.config = defaults;
-  recipe.sheet = sheet;
-  return read(recipe.name, text, "", recipe, {});
+  if (!file || !(text << file.rdbuf())) refuse(path, ": the file cannot be read");
+  return readRecipe({path, fs::path(path).parent_path().string(), text.str()}, defaults, sheet,
+                    overrides);
 }
 
 }  // namespace shell_origami

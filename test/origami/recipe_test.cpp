@@ -139,13 +139,13 @@ TEST_F(RecipeTest, TextThatNestsWithoutEndIsRefused) {
 }
 
 TEST_F(RecipeTest, IsReadFromTextToo) {
-  const Recipe recipe = readRecipe("steps:\n  - settle: {timeout: 3}");
+  const Recipe recipe = readRecipe({"yaml", "", "steps:\n  - settle: {timeout: 3}"});
   ASSERT_EQ(recipe.steps.size(), 1u);
   EXPECT_TRUE(recipe.states("steps"));
   EXPECT_FALSE(recipe.states("sheet"));
-  EXPECT_TRUE(readRecipe(kGood).states("sheet"));
+  EXPECT_TRUE(readRecipe({"yaml", "", kGood}).states("sheet"));
   try {
-    readRecipe("steps:\n  - wave: hello");
+    readRecipe({"yaml", "", "steps:\n  - wave: hello"});
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_EQ(std::string(error.what()).rfind("yaml, line 2: ", 0), 0u) << error.what();

@@ -1,0 +1,152 @@
+#!/usr/bin/python3
+"""Killed, a node goes on from its checkpoint; ended cleanly it loses nothing."""
+
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import roslib.packages
+import rospy
+import rostest
+
+from origami_client import Origami, Recorder, line
+from shell_origami import msg
+
+PERIOD = 0.5
+STEP = 1.0 / 60
+RECIPE = os.path.join(os.path.dirname(os.path.realpath(__file__)), 'half_fold.yaml')
+
+
+class Node(object):
+    def __init__(self, *parameters):
+        program = roslib.packages.find_node('shell_origami', 'origami_node')[0]
+        self.process = subprocess.Popen(
+            [program, '__name:=origami', '_publish_rate:=1000', '_checkpoint/period:=%g' % PERIOD] +
+            ['_%s:=%s' % parameter for parameter in parameters],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True)
+
+    def end(self, how):
+        self.process.send_signal(how)
+        return self.process.wait(10)
+
+    def said(self):
+        return self.process.communicate(timeout=10)[0]
+
+
+class CheckpointTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.file = os.path.join(self.folder, 'run.checkpoint')
+        self.states = Recorder('/origami/state', msg.SheetState)
+        self.nodes = []
+        self.addCleanup(self.end_nodes)
+
+    def end_nodes(self):
+        for node in self.nodes:
+            if node.process.poll() is None:
+                node.process.kill()
+            node.process.wait()
+            node.process.stdout.close()
+        self.states.subscriber.unregister()
+        for name in ('recipe', 'output', 'paused', 'checkpoint', 'publish_rate', 'sheet'):
+            if rospy.has_param('/origami/' + name):
+                rospy.delete_param('/origami/' + name)
+
+    def start(self, *parameters):
+        node = Node(('checkpoint/file', self.file), *parameters)
+        self.nodes.append(node)
+        return node
+
+    def wait_for(self, wanted, since=0):
+        return self.states.wait(wanted, since=since, timeout=20)
+
+    def test_killed_in_a_recipe_it_goes_on_to_the_bit(self):
+        output = os.path.join(self.folder, 'results')
+        parameters = [('recipe', RECIPE), ('output', output)]
+        node = self.start(*parameters)
+        self.wait_for(lambda s: s.creases and 0.4 < s.creases[0].angle < 1.2)
+        time.sleep(PERIOD)
+        node.end(signal.SIGKILL)
+        before = {(s.edits, s.step): s for s in self.states.all()}
+        last = max(step for _, step in before)
+        self.assertFalse(os.path.exists(os.path.join(output, 'report.json')))
+
+        since = len(self.states.all())
+        node = self.start(*parameters)
+        self.wait_for(lambda s: os.path.exists(os.path.join(output, 'report.json')), since)
+        after = self.states.all()[since:]
+        # A checkpoint takes a moment, too.
+        self.assertGreater(after[0].step, last - (PERIOD + 0.2) / STEP)
+        again = [s for s in after if (s.edits, s.step) in before]
+        for state in again:
+            then = before[(state.edits, state.step)]
+            self.assertEqual(state.positions, then.positions)
+            self.assertEqual([c.angle for c in state.creases], [c.angle for c in then.creases])
+        self.assertGreater(len(again), 0)
+        self.assertAlmostEqual(after[-1].creases[0].angle, 1.5708, delta=0.1)
+        self.assertEqual(node.end(signal.SIGTERM), 0)
+        self.assertIn('going on from ' + self.file, node.said())
+
+    def test_a_clean_end_loses_nothing(self):
+        node = self.start(('paused', 'true'), ('checkpoint/period', '1000'))
+        origami = Origami()
+        origami.do('step', steps=3)
+        origami.do('fold', line=line(0.05, 0, 0.05, 0.15), angle=1.0)
+        origami.do('step', steps=7)
+        state = origami.state()
+        self.assertEqual(node.end(signal.SIGINT), 0)
+
+        since = len(self.states.all())
+        node = self.start()
+        again = self.wait_for(lambda s: True, since)
+        self.assertEqual((again.step, again.edits, again.revision),
+                         (state.step, state.edits, state.revision))
+        self.assertEqual(again.positions, state.positions)
+        # It is paused, as it was, and knows how the paper was when it was loaded.
+        origami = Origami()
+        self.assertEqual(origami.state().step, state.step)
+        origami.do('reset')
+        self.assertEqual(len(origami.state().creases), 0)
+        self.assertEqual(node.end(signal.SIGTERM), 0)
+
+    def test_a_damaged_checkpoint_stops_the_start(self):
+        node = self.start()
+        self.wait_for(lambda s: True)
+        node.end(signal.SIGTERM)
+        with open(self.file, 'rb') as file:
+            whole = file.read()
+        for content in (b'', b'no checkpoint', whole[:len(whole) // 2], b'\xa0'):
+            with open(self.file, 'wb') as file:
+                file.write(content)
+            node = self.start()
+            said = node.said()
+            self.assertNotEqual(node.process.returncode, 0, said)
+            self.assertIn('checkpoint/file is "%s"' % self.file, said)
+            with open(self.file, 'rb') as file:
+                self.assertEqual(file.read(), content)
+
+    def test_one_that_cannot_be_written_stops_nothing(self):
+        self.file = os.path.join(self.folder, 'nowhere', 'run.checkpoint')
+        node = self.start()
+        since = len(self.states.all())
+        self.wait_for(lambda s: s.step > 2 * PERIOD / STEP, since)
+        self.assertEqual(node.end(signal.SIGTERM), 0)
+        self.assertIn('no checkpoint: ', node.said())
+
+    def test_a_bad_period_stops_the_start(self):
+        for period in ('0', '-1', '.nan', '1e7', 'often'):
+            node = Node(('checkpoint/period', period))
+            self.nodes.append(node)
+            said = node.said()
+            self.assertNotEqual(node.process.returncode, 0)
+            self.assertIn('checkpoint/period', said)
+
+
+if __name__ == '__main__':
+    rospy.init_node('checkpoint_test')
+    rostest.rosrun('shell_origami', 'checkpoint_test', CheckpointTest)
