@@ -130,7 +130,7 @@ TEST_F(RecipeTest, TextThatNestsWithoutEndIsRefused) {
   for (int i = 0; i < 1000000; ++i) dashes += "- ";
   for (const std::string& text : {std::string(1000000, '['), std::string(1000000, '{'), dashes}) {
     try {
-      readRecipe("steps:\n" + text);
+      readRecipe({"yaml", "", "steps:\n" + text});
       FAIL() << text.substr(0, 2);
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find("deeper"), std::string::npos) << error.what();
