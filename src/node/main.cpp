@@ -1,5 +1,6 @@
 #include "node/diagnostics.h"
 #include "node/live_parameters.h"
+#include "node/master_watch.h"
 #include "node/picking.h"
 #include "node/recipe_action.h"
 #include "node/services.h"
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
     shell_origami::Picking picking(node, origami, tf);
     shell_origami::LiveParameters live(node, origami);
     shell_origami::Diagnostics diagnostics(node, origami);
+    const shell_origami::MasterWatch master_watch;
     origami.spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());

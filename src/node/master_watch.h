@@ -1,0 +1,42 @@
+/// \file
+/// Survives the master: where another takes its place, the node is registered there.
+#pragma once
+
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+
+namespace shell_origami {
+
+/// Looks after the master in a thread of its own, once a second. roscpp registers a node's topics
+/// and services once; what connections there are outlive the master, but nobody new finds the node.
+class MasterWatch {
+ public:
+  MasterWatch();
+  MasterWatch(const MasterWatch&) = delete;
+  MasterWatch& operator=(const MasterWatch&) = delete;
+  ~MasterWatch();
+
+ private:
+  void run();
+  void look();
+  void remember();
+  void registerAgain() const;
+
+  std::optional<int> pid_;  ///< of the master that knows the node
+  /// What it knows of the node.
+  std::map<std::string, std::string> types_;  ///< of every topic
+  std::set<std::string> publications_, subscriptions_, services_;
+  std::string service_uri_;
+
+  std::mutex mutex_;
+  std::condition_variable ending_;
+  bool end_ = false;
+  std::thread thread_;
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,104 @@
+#!/usr/bin/python3
+"""The master dies and another takes its place: the node is found there, with its paper."""
+
+import os
+import signal
+import socket
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+
+import roslib.packages
+import rostest
+
+
+def free_port():
+    with socket.socket() as free:
+        free.bind(('127.0.0.1', 0))
+        return free.getsockname()[1]
+
+
+class MasterRestartTest(unittest.TestCase):
+    def setUp(self):
+        self.port = free_port()
+        self.environment = dict(os.environ, ROS_IP='127.0.0.1',
+                                ROS_MASTER_URI='http://127.0.0.1:%d' % self.port)
+        self.environment.pop('ROS_NAMESPACE', None)
+
+    def start(self, *command, **options):
+        process = subprocess.Popen(command, env=self.environment, **options)
+        def end():
+            if process.poll() is None:
+                process.kill()
+            process.wait()
+        self.addCleanup(end)
+        return process
+
+    def start_master(self):
+        master = self.start('rosmaster', '--core', '-p', str(self.port),
+                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.until('rostopic', 'list')
+        return master
+
+    def until(self, *command):
+        """What the command says as soon as it succeeds."""
+        deadline = time.time() + 20
+        while True:
+            try:
+                return subprocess.check_output(command, env=self.environment, timeout=5,
+                                               stderr=subprocess.STDOUT, universal_newlines=True)
+            except subprocess.SubprocessError as error:
+                if time.time() > deadline:
+                    self.fail('%s: %s' % (command, getattr(error, 'output', error)))
+            time.sleep(0.2)
+
+    def test_the_node_is_found_by_the_next_master(self):
+        master = self.start_master()
+        program = roslib.packages.find_node('shell_origami', 'origami_node')[0]
+        node = self.start(program)
+        fold = 'rosservice call /origami/fold'.split()
+        self.assertIn('success: True', self.until(
+            *fold, '{line: [{x: 0, y: 0}, {x: 0.15, y: 0.15}], angle: 1.0}'))
+        heard = []
+        echo = self.start('rostopic', 'echo', '-p', '/origami/state/step',
+                          stdout=subprocess.PIPE, universal_newlines=True)
+        threading.Thread(target=lambda: heard.extend(iter(echo.stdout.readline, '')),
+                         daemon=True).start()
+        time.sleep(3)  # until the node knows what the master knows of it
+        self.assertGreater(len(heard), 10)
+
+        master.send_signal(signal.SIGKILL)
+        master.wait()
+        before = len(heard)
+        time.sleep(1)
+        self.assertGreater(len(heard), before + 10, 'a listener was lost with the master')
+        self.assertIsNone(node.poll())
+
+        self.start_master()
+        deadline = time.time() + 10
+        while '/origami/fold' not in self.until('rosservice', 'list'):
+            self.assertLess(time.time(), deadline)
+        self.assertIn('success: True', self.until(*fold, "{crease: 'fold_0', angle: -0.5}"))
+        self.assertIn('fold_0', self.until('rostopic', 'echo', '-n', '1', '/origami/sheet/creases'))
+        # What it listens to, too.
+        with tempfile.TemporaryFile('w+') as picked:
+            listener = self.start('rostopic', 'echo', '-n', '1', '/origami/picked/vertex',
+                                  stdout=picked)
+            time.sleep(1)
+            self.start('rostopic', 'pub', '-r', '2', '/clicked_point', 'geometry_msgs/PointStamped',
+                       "{header: {frame_id: 'world'}, point: {x: 0.0, y: 0.0, z: 0.0}}",
+                       stdout=subprocess.DEVNULL)
+            self.assertEqual(listener.wait(15), 0)
+            picked.seek(0)
+            self.assertRegex(picked.read(), r'^\d+')
+        before = len(heard)
+        time.sleep(1)
+        self.assertGreater(len(heard), before + 10, 'the first listener was lost')
+        node.send_signal(signal.SIGINT)
+        self.assertEqual(node.wait(10), 0)
+
+
+if __name__ == '__main__':
+    rostest.rosrun('shell_origami', 'master_restart_test', MasterRestartTest)
