@@ -1,5 +1,7 @@
 #include "dynamics/cholesky.h"
 
+#include "dynamics/kept_memory.h"
+
 #include <cholmod.h>
 #include <omp.h>
 
@@ -41,6 +43,7 @@ cholmod_sparse view(std::size_t size, const std::vector<int>& starts,
 }  // namespace
 
 struct Cholesky::Implementation {
+  KeptMemory workspace;
   cholmod_common common{};
   cholmod_factor* factor = nullptr;
   cholmod_dense* solution = nullptr;
@@ -106,6 +109,7 @@ bool Cholesky::factorize(const SystemMatrix& matrix) {
   Implementation& own = *implementation_;
   cholmod_sparse a =
       view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(), matrix.values().data());
+  const KeptMemory::Use use(own.workspace);
   return cholmod_factorize(&a, own.factor, &own.common) && own.factor->minor == own.factor->n;
 }
 

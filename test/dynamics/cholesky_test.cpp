@@ -1,5 +1,6 @@
 #include "dynamics/cholesky.h"
 
+#include "bench/allocations.h"
 #include "sheet/triangulate.h"
 
 #include <gtest/gtest.h>
@@ -7,9 +8,9 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
-
 #include <random>
+#include <set>
+#include <thread>
 
 namespace shell_origami {
 namespace {
@@ -135,6 +136,65 @@ TEST(Cholesky, SaysWhenTheMatrixIsNotPositiveDefinite) {
   EXPECT_FALSE(cholesky.factorize(system.matrix));
   system.fill();
   EXPECT_TRUE(cholesky.factorize(system.matrix));
+}
+
+/// A solution by a solver of its own.
+Eigen::VectorXd solutionOf(const System& system) {
+  Cholesky cholesky;
+  cholesky.analyze(system.matrix);
+  EXPECT_TRUE(cholesky.factorize(system.matrix));
+  Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(system.matrix.size(), -1, 2);
+  cholesky.solve(b);
+  return b;
+}
+
+TEST(Cholesky, AsksForNoMemoryAfterItsFirstFactorization) {
+  System system;
+  const Eigen::VectorXd expected = solutionOf(system);
+  Cholesky cholesky;
+  cholesky.analyze(system.matrix);
+  Eigen::VectorXd b(system.matrix.size());
+  std::uint64_t asked = 0;
+  for (int i = 0; i < 5; ++i) {
+    b.setLinSpaced(-1, 2);
+    const Allocations before = allocations();
+    ASSERT_TRUE(cholesky.factorize(system.matrix));
+    cholesky.solve(b);
+    asked = (allocations() - before).all;
+    if (i == 0) EXPECT_GT(asked, 0u) << "nothing is counted";
+    else EXPECT_EQ(asked, 0u);
+    EXPECT_EQ(b, expected);
+  }
+  // Neither does one that fails, and none is lost by it.
+  system.matrix.addToDiagonal(4, -1e9);
+  cholesky.factorize(system.matrix);
+  system.fill();
+  const Allocations before = allocations();
+  ASSERT_TRUE(cholesky.factorize(system.matrix));
+  EXPECT_EQ((allocations() - before).all, 0u);
+}
+
+TEST(Cholesky, SolversInTurnAndInOtherThreadsKeepTheirMemoryApart) {
+  System one, other;
+  other.matrix.addToDiagonal(4, 3);
+  const Eigen::VectorXd expected_one = solutionOf(one), expected_other = solutionOf(other);
+  const auto solve_often = [](const System& system, const Eigen::VectorXd& expected, bool& good) {
+    Cholesky cholesky;
+    for (int i = 0; i < 300; ++i) {
+      if (i % 100 == 0) cholesky.analyze(system.matrix);
+      Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(system.matrix.size(), -1, 2);
+      good = cholesky.factorize(system.matrix) && good;
+      cholesky.solve(b);
+      good = b == expected && good;
+    }
+  };
+  bool one_good = true, other_good = true;
+  solve_often(one, expected_one, one_good);
+  solve_often(other, expected_other, other_good);
+  EXPECT_TRUE(one_good && other_good) << "in turn";
+  std::thread thread([&] { solve_often(one, expected_one, one_good); });
+  thread.join();
+  EXPECT_TRUE(one_good) << "in another thread";
 }
 
 }  // namespace
