@@ -382,8 +382,10 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
                   const SheetSource& sheet, const Overrides& overrides) {
   std::ifstream file(path);
+  file.peek();  // an empty file can be read, a folder cannot
+  if (!file.is_open() || file.bad()) refuse(path, ": the file cannot be read");
   std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) refuse(path, ": the file cannot be read");
+  text << file.rdbuf();
   return readRecipe({path, fs::path(path).parent_path().string(), text.str()}, defaults, sheet,
                     overrides);
 }
