@@ -30,9 +30,9 @@ PARAMETERS = TABLES['Parameters of origami_node']
 # What roscpp gives every node.
 OF_EVERY_NODE = ('/rosout', '~get_loggers', '~set_logger_level')
 ACTION = {'goal': 'in', 'cancel': 'in', 'status': 'out', 'feedback': 'out', 'result': 'out'}
-JUST_ABOVE_ZERO = 1e-6
 LIVE = [('~live/parameter_descriptions', 'dynamic_reconfigure/ConfigDescription', 'out'),
         ('~live/parameter_updates', 'dynamic_reconfigure/Config', 'out')]
+JUST_ABOVE_ZERO = 1e-6
 
 
 def full(kind):
@@ -200,7 +200,9 @@ class ReferenceTest(unittest.TestCase):
             self.assertEqual(bool(re.search(r'\blive\b', said)), bool(row['live']), name)
 
     def test_defaults_are_those_of_a_node_without_parameters(self):
+        manual = reference.manual()
         # Neither paused nor waiting for a recorder.
+        self.assertFalse(manual['paused'] or manual['wait_for_recorder'])
         Recorder('/leader/state', SheetState).wait(lambda state: state.step > 0)
         papers, drawings, lives = [], [], []
         for node in (self.origami, self.manual):
@@ -216,10 +218,12 @@ class ReferenceTest(unittest.TestCase):
         for config in lives:
             config.pop('groups')
         self.assertEqual(lives[0], lives[1])
-        # What shows in files alone: none is asked for.
-        for field, default in (('recipe', ''), ('output', ''), ('checkpoint', ''),
-                               ('checkpoint_period', ' = 10')):
-            self.assertIn(' %s%s;' % (field, default), reference.read('src', 'node', 'parameters.h'))
+        # What shows in files alone.
+        code = reference.read('src', 'node', 'parameters.h')
+        for field, name in (('recipe', 'recipe'), ('output', 'output'), ('checkpoint', 'checkpoint/file')):
+            self.assertEqual(manual[name], '')
+            self.assertIn('std::string %s;' % field, code)
+        self.assertIn('double checkpoint_period = %g;' % manual['checkpoint/period'], code)
 
     def test_just_out_of_bounds_is_refused(self):
         tried = [pair for row in self.numbers for pair in just_outside(row)]
