@@ -67,7 +67,7 @@ void Checkpoint::write(const Run& run) {
   try {
     std::string bytes;
     Json::to_cbor(jsonOf(run), bytes);
-    writeFile(path_, bytes);
+    writeFiles({{path_, std::move(bytes)}});
     kept_ = state;
   } catch (const std::exception& error) {
     ROS_ERROR("no checkpoint: %s", error.what());

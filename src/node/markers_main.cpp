@@ -4,6 +4,8 @@
 #include "node/markers.h"
 #include "node/parameter_reader.h"
 
+#include <csignal>
+
 namespace {
 
 /// \throws std::invalid_argument with one sentence that names the offending parameter.
@@ -43,6 +45,8 @@ class MarkersNode {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "origami");
+  // roscpp ends cleanly of SIGINT alone.
+  std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
   ros::NodeHandle node("~");
   try {
     MarkersNode markers(node);

@@ -1,6 +1,7 @@
 #include "node/origami_node.h"
 
 #include "node/edits.h"
+#include "node/sentence.h"
 
 #include <ros/callback_queue.h>
 
@@ -59,7 +60,10 @@ OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
   run_.paused = run_.paused || waiting_;
   const Sheet& sheet = run_.paper.simulation().sheet();
   ROS_INFO("a sheet of %d vertices and %zu triangles is ready%s", sheet.vertexCount(),
-           sheet.triangles().size(), run_.paused ? ", paused" : "");
+           sheet.triangles().size(),
+           waiting_      ? ", and waits for a recorder; ~resume starts without"
+           : run_.paused ? ", paused"
+                         : "");
 }
 
 void OrigamiNode::spin() {
@@ -182,10 +186,10 @@ void OrigamiNode::startRecipe(Recipe recipe, const std::string& path,
 
 void OrigamiNode::stop(const std::string& reason) {
   step_.converged = false;
-  step_.failure = reason;
-  ROS_ERROR("paused at %.3f s: %s", run_.paper.time(), reason.c_str());
+  step_.failure = asSentence(reason);
+  ROS_ERROR("paused at %.3f s: %s", run_.paper.time(), step_.failure.c_str());
   pause();
-  endRecipe(reason);
+  endRecipe(step_.failure);
 }
 
 void OrigamiNode::load(const std::string& path) {

@@ -1,6 +1,7 @@
 #include "node/picking.h"
 
 #include "node/conversions.h"
+#include "node/sentence.h"
 #include "node/tf_point.h"
 
 #include <stdexcept>
@@ -27,7 +28,7 @@ void Picking::pick(const geometry_msgs::PointStamped& click) {
              picked.flat_position.x, picked.flat_position.y,
              picked.crease.empty() ? "" : ", on crease ", picked.crease.c_str());
   } catch (const std::invalid_argument& error) {
-    ROS_WARN("nothing is picked: %s", error.what());
+    ROS_WARN("nothing is picked: %s", asSentence(error.what()).c_str());
   }
 }
 

@@ -17,7 +17,7 @@ Publishers::Publishers(ros::NodeHandle& node, const NodeConfig& config,
       state_(node.advertise<msg::SheetState>("state", 100)),
       energy_(node.advertise<msg::Energy>("energy", 100)),
       markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 5)),
-      wrench_node_(node, "wrench") {
+      node_(node) {
   const auto send_paper = [whole_paper](const ros::SingleSubscriberPublisher& subscriber) {
     subscriber.publish(whole_paper());
   };
@@ -70,7 +70,7 @@ void Publishers::publishFrames(const Paper& paper, const ros::Time& stamp) {
 
 namespace {
 
-/// TF allows more letters than names of topics do.
+/// TF allows more letters than names of topics do. (Below ~wrench/ these may begin with any.)
 std::string topicFor(std::string frame) {
   for (char& letter : frame) {
     if (!std::isalnum(static_cast<unsigned char>(letter)) && letter != '/') letter = '_';
@@ -100,7 +100,8 @@ void Publishers::publishWrenches(const Paper& paper, const ros::Time& stamp) {
 
 void Publishers::advertiseWrench(const std::string& frame) {
   if (wrenches_.count(frame)) return;
-  wrenches_[frame] = wrench_node_.advertise<geometry_msgs::WrenchStamped>(topicFor(frame), 100);
+  wrenches_[frame] =
+      node_.advertise<geometry_msgs::WrenchStamped>("wrench/" + topicFor(frame), 100);
 }
 
 void Publishers::publishEdit(msg::Edit edit, const ros::Time& stamp) {

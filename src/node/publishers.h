@@ -52,7 +52,7 @@ class Publishers {
   ros::Publisher energy_;
   ros::Publisher markers_;
   ros::Publisher edit_;
-  ros::NodeHandle wrench_node_;
+  ros::NodeHandle node_;
   std::map<std::string, ros::Publisher> wrenches_;  ///< by the names of frames that held paper
   tf2_ros::TransformBroadcaster broadcaster_;
 };

@@ -1,6 +1,7 @@
 #include "node/recipe_action.h"
 
 #include "node/conversions.h"
+#include "node/sentence.h"
 #include "sheet/refuse.h"
 
 #include <utility>
@@ -10,13 +11,6 @@ namespace {
 
 /// The node answers no other request while it reads one.
 constexpr std::size_t kLongestYaml = 1000000;
-/// A status is sent over and over: a sentence that quotes a book is cut short.
-constexpr std::size_t kLongestSentence = 1000;
-
-std::string shortened(const std::string& sentence) {
-  if (sentence.size() <= kLongestSentence) return sentence;
-  return sentence.substr(0, kLongestSentence) + "...";
-}
 
 Recipe recipeOf(const msg::FoldRecipeGoal& goal, const std::string& path,
                 const NodeConfig& config) {
@@ -69,7 +63,7 @@ void RecipeAction::receive(Goal goal) {
     goal_ = goal;
     publishFeedback(*origami_.recipe());
   } catch (const std::exception& error) {
-    const std::string sentence = shortened(error.what());
+    const std::string sentence = asSentence(error.what());
     ROS_WARN("fold_recipe refused: %s", sentence.c_str());
     goal.setRejected({}, sentence);
   }
@@ -89,7 +83,7 @@ void RecipeAction::ended(const RecipeRun& run, const std::string& why) {
   if (why.empty()) {
     goal.setSucceeded(result(), "the recipe is done");
   } else {
-    goal.setAborted(result(), shortened(why));
+    goal.setAborted(result(), asSentence(why));
   }
 }
 

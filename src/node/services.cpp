@@ -1,6 +1,7 @@
 #include "node/services.h"
 
 #include "node/conversions.h"
+#include "node/sentence.h"
 #include "node/tf_point.h"
 #include "origami/report.h"
 #include "sheet/refuse.h"
@@ -18,13 +19,13 @@ constexpr std::uint32_t kMostSteps = 100000;
 template <class Response, class Action>
 bool answer(const char* service, Response& response, Action action) {
   try {
-    response.message = action();
+    response.message = asSentence(action());
     response.success = true;
     ROS_INFO("%s: %s", service, response.message.c_str());
   } catch (const std::exception& error) {
     response = Response();
-    response.message = error.what();
-    ROS_WARN("%s refused: %s", service, error.what());
+    response.message = asSentence(error.what());
+    ROS_WARN("%s refused: %s", service, response.message.c_str());
   }
   return true;
 }

@@ -7,10 +7,18 @@
 
 namespace shell_origami {
 
+namespace {
+
+/// Beyond this [m], rounding would shift the paper by more than a ten-thousandth of a millimetre.
+constexpr double kFarthest = 1e8;
+
+}  // namespace
+
 void checkPose(const Pose& pose) {
   const Vector3& p = pose.position;
-  if (!p.allFinite()) {
-    refuse("a frame stands at (", p.x(), ", ", p.y(), ", ", p.z(), "), but must be finite");
+  if (!(p.cwiseAbs().maxCoeff() <= kFarthest) || !p.allFinite()) {
+    refuse("a frame stands at (", p.x(), ", ", p.y(), ", ", p.z(), "), but must be within ",
+           kFarthest, " m");
   }
   const double length = pose.orientation.norm();
   if (!(std::abs(length - 1) < 1e-6)) refuse("a frame's quaternion has length ", length, ", not 1");

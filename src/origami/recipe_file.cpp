@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <map>
-#include <sstream>
 #include <utility>
 
 namespace shell_origami {
@@ -381,12 +381,13 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
 
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
                   const SheetSource& sheet, const Overrides& overrides) {
+  std::error_code ignored;
+  // A pipe may never say a word, and /dev/zero never ends.
+  if (!fs::is_regular_file(path, ignored)) refuse(path, ": there is no such file");
   std::ifstream file(path);
-  file.peek();  // an empty file can be read, a folder cannot
-  if (!file.is_open() || file.bad()) refuse(path, ": the file cannot be read");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return readRecipe({path, fs::path(path).parent_path().string(), text.str()}, defaults, sheet,
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) refuse(path, ": the file cannot be read");
+  return readRecipe({path, fs::path(path).parent_path().string(), text}, defaults, sheet,
                     overrides);
 }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
@@ -110,56 +111,80 @@ json foldFrame(const Simulation& simulation, int mesh_frame) {
                      simulation.time(), mesh_frame);
 }
 
-void savePaper(const Simulation& simulation, const std::string& path) {
+namespace {
+
+/// By the path's extension.
+std::string paperText(const Simulation& simulation, const std::string& path) {
   const std::string extension = lowerExtension(path);
   const Positions& positions = simulation.positions();
   const std::vector<Triangle>& triangles = simulation.sheet().triangles();
   if (extension == ".fold") {
-    writeFile(path, foldText(foldDocument(simulation, fs::path(path).stem().string())));
-  } else if (extension == ".obj") {
-    writeFile(path, objText(positions, triangles));
-  } else if (extension == ".stl") {
-    writeFile(path, stlText(positions, triangles));
-  } else if (extension == ".ply") {
-    writeFile(path, plyText(positions, triangles));
-  } else {
-    refuse("cannot save ", path, ": its extension must be .fold, .obj, .stl or .ply");
+    return foldText(foldDocument(simulation, fs::path(path).stem().string()));
   }
+  if (extension == ".obj") return objText(positions, triangles);
+  if (extension == ".stl") return stlText(positions, triangles);
+  if (extension == ".ply") return plyText(positions, triangles);
+  refuse("cannot save ", path, ": its extension must be .fold, .obj, .stl or .ply");
 }
 
-void writeFile(const std::string& path, const std::string& text) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (fs::exists(status) && !fs::is_regular_file(status)) failToWrite(path, "it is no plain file");
-  // Through a link, its target is replaced and the link stays.
-  const fs::path target = fs::is_symlink(fs::symlink_status(path, ignored)) && fs::exists(status)
-                              ? fs::canonical(path, ignored)
-                              : fs::path(path);
-  const std::string part = target.string() + "." + std::to_string(getpid()) + ".part";
-  const int error = writeWhole(part, text);
-  if (error != 0) {
-    std::remove(part.c_str());
-    failToWrite(path, std::strerror(error));
+/// A file that is written beside the one whose place it takes, and gone unless it has.
+class PartFile {
+ public:
+  explicit PartFile(const TextFile& file) : path_(file.path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path_, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+      failToWrite(path_, "it is no plain file");
+    }
+    // Through a link, its target is replaced and the link stays.
+    const bool link = fs::is_symlink(fs::symlink_status(path_, ignored)) && fs::exists(status);
+    target_ = link ? fs::canonical(path_, ignored).string() : path_;
+    part_ = target_ + "." + std::to_string(getpid()) + ".part";
+    const int error = writeWhole(part_, file.text);
+    if (error == 0) return;
+    std::remove(part_.c_str());
+    failToWrite(path_, std::strerror(error));
   }
-  if (std::rename(part.c_str(), target.c_str()) != 0) {
-    const std::string reason = std::strerror(errno);
-    std::remove(part.c_str());
-    failToWrite(path, reason);
+  PartFile(const PartFile&) = delete;
+  ~PartFile() {
+    if (!part_.empty()) std::remove(part_.c_str());
   }
+
+  void takePlace() {
+    if (std::rename(part_.c_str(), target_.c_str()) != 0) failToWrite(path_, std::strerror(errno));
+    part_.clear();
+  }
+
+ private:
+  std::string path_, target_, part_;
+};
+
+}  // namespace
+
+void savePaper(const Simulation& simulation, const std::string& path) {
+  writeFiles({{path, paperText(simulation, path)}});
+}
+
+void writeFiles(const std::vector<TextFile>& files) {
+  std::deque<PartFile> parts;
+  for (const TextFile& file : files) parts.emplace_back(file);
+  for (PartFile& part : parts) part.takePlace();
 }
 
 void writeResults(const Simulation& simulation, const std::string& recipe, double wall_time,
-                  const std::string& folder) {
+                  const std::string& folder, std::vector<TextFile> files) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) failToWrite(folder, error.message());
-  const fs::path base(folder);
-  savePaper(simulation, (base / "final.fold").string());
-  savePaper(simulation, (base / "final.obj").string());
+  for (const char* name : {"final.fold", "final.obj"}) {
+    files.push_back({name, paperText(simulation, name)});
+  }
   // The report last: where it stands, everything else does.
   const json report = makeReport(simulation, recipe, wall_time);
-  writeFile((base / "report.json").string(),
-            report.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
+  files.push_back(
+      {"report.json", report.dump(2, ' ', false, json::error_handler_t::replace) + "\n"});
+  for (TextFile& file : files) file.path = (fs::path(folder) / file.path).string();
+  writeFiles(files);
 }
 
 }  // namespace shell_origami

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace shell_origami {
 
@@ -26,11 +27,19 @@ nlohmann::json foldFrame(const Simulation& simulation, int mesh_frame);
 /// written.
 void savePaper(const Simulation& simulation, const std::string& path);
 
-/// Writes text the same careful way. \throws std::runtime_error naming path and reason
-void writeFile(const std::string& path, const std::string& text);
+/// A text and where it belongs.
+struct TextFile {
+  std::string path;
+  std::string text;
+};
 
-/// final.fold, final.obj and report.json into the folder, which is made when it is missing.
+/// Writes texts the same careful way: all of them, before any takes the place of an older file.
+/// \throws std::runtime_error naming path and reason
+void writeFiles(const std::vector<TextFile>& files);
+
+/// final.fold, final.obj and report.json, with `more` files named within the folder, into the
+/// folder, which is made when it is missing.
 void writeResults(const Simulation& simulation, const std::string& recipe, double wall_time,
-                  const std::string& folder);
+                  const std::string& folder, std::vector<TextFile> more = {});
 
 }  // namespace shell_origami

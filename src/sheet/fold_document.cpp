@@ -18,7 +18,12 @@ using nlohmann::json;
 
 std::string readText(const std::string& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) refuse("cannot be read: it is a folder");
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status)) refuse("cannot be read: it is a folder");
+  // A pipe may never say a word, and /dev/zero never ends.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    refuse("cannot be read: it is no plain file");
+  }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

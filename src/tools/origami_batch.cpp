@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -105,11 +104,11 @@ class Frames {
     }
     frames_.push_back(foldFrame(simulation, brings_mesh ? 0 : mesh_frame_));
   }
-  void write(const Simulation& simulation, const std::string& title, const std::string& path) {
+  TextFile file(const Simulation& simulation, const std::string& title) const {
     nlohmann::json document = foldDocument(simulation, title);
     document["file_classes"] = {"singleModel", "animation"};
     document["file_frames"] = frames_;
-    writeFile(path, foldText(document));
+    return {"frames.fold", foldText(document)};
   }
 
  private:
@@ -137,9 +136,8 @@ int fold(const Options& options) {
   }
   bar.draw(runner, simulation);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  std::filesystem::create_directories(options.out);
-  frames.write(simulation, runner.recipe().name, options.out + "/frames.fold");
-  writeResults(simulation, runner.recipe().name, wall.count(), options.out);
+  const std::string& name = runner.recipe().name;
+  writeResults(simulation, name, wall.count(), options.out, {frames.file(simulation, name)});
   return 0;
 }
 

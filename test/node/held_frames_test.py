@@ -125,6 +125,15 @@ class HeldFramesTest(NodeTest):
         yaw, force = self.hand.pose[3], in_hand.wrench.force
         self.assertGreater(math.cos(yaw) * force.x - math.sin(yaw) * force.y, 0)
 
+    def test_frames_that_no_topic_could_be_called_like_hold_it_too(self):
+        for number, name in enumerate(('_', '9 lives', '\u00e4')):
+            MovingFrame(name)
+            rospy.sleep(0.5)
+            self.origami.do('pin', vertices=[number], frame_id=name)
+            self.origami.state()  # which publishes what holds it
+            self.assertTrue(self.origami.alive(), name)
+        Recorder('/origami/wrench/9_lives', WrenchStamped).wait()
+
     def test_let_go_it_hangs_from_what_is_left(self):
         held = self.hold()
         self.origami.do('unpin', vertices=held)

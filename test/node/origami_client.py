@@ -1,8 +1,10 @@
 """What the node tests share: the node's services as functions, and its latest messages."""
 
+import os
 import threading
 import time
 import unittest
+import xmlrpc.client
 
 import rosnode
 import rospy
@@ -34,6 +36,10 @@ class Recorder(object):
     def all(self):
         with self.news:
             return list(self.messages)
+
+    def forget(self):
+        with self.news:
+            self.messages.clear()
 
     def wait(self, wanted=lambda message: True, since=0, timeout=10):
         """The first message from index `since` on that is wanted."""
@@ -85,6 +91,13 @@ class Origami(object):
         """The last edit so far, which must be of this kind."""
         self.state()
         return self.edits.wait(lambda edit: edit.kind == kind and edit is self.edits.messages[-1])
+
+    def memory(self):
+        """What the node keeps resident [bytes]."""
+        node_api = rospy.get_master().lookupNode(self.name)[2]
+        _, _, pid = xmlrpc.client.ServerProxy(node_api).getPid('/test')
+        with open('/proc/%d/statm' % pid) as statm:
+            return int(statm.read().split()[1]) * os.sysconf('SC_PAGE_SIZE')
 
     def alive(self):
         return rosnode.rosnode_ping(self.name, max_count=1, verbose=False)

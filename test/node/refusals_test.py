@@ -31,6 +31,13 @@ def temporary(name, text):
     return path
 
 
+def pipe(name):
+    """One that nobody writes into."""
+    path = os.path.join(tempfile.mkdtemp(), name)
+    os.mkfifo(path)
+    return path
+
+
 # Service, request, and words that the answer must hold.
 REFUSALS = [
     ('fold', dict(angle=1), ['crease', 'vertices', 'line', 'none']),
@@ -81,6 +88,10 @@ REFUSALS = [
     ('load', dict(path='/nowhere/paper.fold'), ['/nowhere/paper.fold']),
     ('load', dict(path='/nowhere/recipe.yaml'), ['/nowhere/recipe.yaml']),
     ('load', dict(path='/tmp'), ['/tmp']),
+    ('load', dict(path='/dev/zero'), ['/dev/zero', 'no plain file']),
+    ('load', dict(path=pipe('paper.fold')), ['paper.fold', 'no plain file']),
+    ('load', dict(path=pipe('recipe.yaml')), ['recipe.yaml', 'no such file']),
+    ('load', dict(path='x' * 100000 + '\n.yaml'), ['xx...xx', 'x .yaml: there is no such file']),
     ('load', dict(path=temporary('cut.fold', '{"vertices_coords": [[0, 0')), ['cut.fold']),
     ('load', dict(path=temporary('typo.yaml', 'sheet: {siez: [1, 1]}\nsteps: []\n')),
      ['typo.yaml', 'siez']),

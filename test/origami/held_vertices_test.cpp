@@ -148,6 +148,7 @@ TEST(HeldVertices, RefuseWhatIsNoFrame) {
   const Pose no_length{Vector3::Zero(), Eigen::Quaterniond(0, 0, 0, 0)};
   EXPECT_THROW(simulation.pin(leftEdge(), "", {}), std::invalid_argument);
   EXPECT_THROW(simulation.pin(leftEdge(), "hand", Pose{{nan, 0, 0}}), std::invalid_argument);
+  EXPECT_THROW(simulation.pin(leftEdge(), "hand", Pose{{1e9, 0, 0}}), std::invalid_argument);
   EXPECT_THROW(simulation.pin(leftEdge(), "hand", no_length), std::invalid_argument);
   EXPECT_TRUE(simulation.pinned().empty());
   simulation.pin(leftEdge(), "hand", {});

@@ -206,14 +206,14 @@ TEST_F(Report, namesPathAndReasonWhenItCannotWrite) {
             "cannot write " + missing + ": No such file or directory");
   fs::create_directory(in("folder.obj"));
   expectWithin(failure([&] { savePaper(simulation_, in("folder.obj")); }), "no plain file");
-  expectWithin(failure([&] { writeFile("/dev/null", ""); }), "no plain file");
-  writeFile(in("file"), "");
+  expectWithin(failure([&] { writeFiles({{"/dev/null", ""}}); }), "no plain file");
+  writeFiles({{in("file"), ""}});
   expectWithin(failure([&] { writeResults(simulation_, "", 0, in("file/results")); }),
                "cannot write " + in("file/results") + ": Not a directory");
 }
 
 TEST_F(Report, aFullDiskLeavesTheOldFile) {
-  writeFile(in("paper.obj"), "old");
+  writeFiles({{in("paper.obj"), "old"}});
   // A limit on file sizes fails like a full disk does, once its signal is ignored.
   const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
   rlimit old_limit;
@@ -229,8 +229,17 @@ TEST_F(Report, aFullDiskLeavesTheOldFile) {
   EXPECT_EQ(filesInFolder(), 1u);  // nothing half-written beside it
 }
 
+TEST_F(Report, resultsThatCannotAllBeWrittenLeaveTheOldOnes) {
+  writeFiles({{in("final.fold"), "old"}, {in("final.obj"), "old"}});
+  fs::create_directory(in("report.json"));
+  expectWithin(failure([&] { writeResults(simulation_, "half", 1, in("")); }), "report.json");
+  EXPECT_EQ(contents(in("final.fold")), "old");
+  EXPECT_EQ(contents(in("final.obj")), "old");
+  EXPECT_EQ(filesInFolder(), 3u);  // nothing half-written beside them
+}
+
 TEST_F(Report, replacesAFileButKeepsALink) {
-  writeFile(in("paper.obj"), "old");
+  writeFiles({{in("paper.obj"), "old"}});
   fs::create_symlink("paper.obj", in("link.obj"));
   savePaper(simulation_, in("link.obj"));
   EXPECT_TRUE(fs::is_symlink(in("link.obj")));

@@ -10,6 +10,7 @@ namespace {
 TEST(ReadFold, refusesWhatIsNoPattern) {
   expectWithin(fileRefusal("/nowhere/x.fold"), "/nowhere/x.fold: cannot be read: No such file");
   expectWithin(fileRefusal("/tmp"), "folder");
+  expectWithin(fileRefusal("/dev/zero"), "no plain file");
   expectWithin(fileRefusal(scratch("{\"a\": 1,\n\n \"b\": nope}")), "is not JSON from line 3");
   expectWithin(fileRefusal(scratch("")), "is not JSON from line 1");
   expectWithin(fileRefusal(scratch("{\"a\": 1e999}")), "is not JSON that can be read");
