@@ -45,12 +45,12 @@ void editInSimulation(benchmark::State& state) {
   }
   state.counters["triangles"] = static_cast<double>(folded.sheet().triangles().size());
 }
-BENCHMARK(editInSimulation)
-    ->Name("edit_in_simulation")
-    ->Arg(300)
-    ->Arg(2000)
-    ->Arg(10000)
-    ->Unit(benchmark::kMillisecond);
+[[maybe_unused]] const benchmark::internal::Benchmark* const registered =
+    benchmark::RegisterBenchmark("edit_in_simulation", editInSimulation)
+        ->Arg(300)
+        ->Arg(2000)
+        ->Arg(10000)
+        ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace shell_origami

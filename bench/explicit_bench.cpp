@@ -57,11 +57,11 @@ void explicitScheme(benchmark::State& state) {
     state.counters["explicit_over_implicit"] = *cost / implicit_cost;
   }
 }
-BENCHMARK(explicitScheme)
-    ->Name("explicit")
-    ->Arg(2000)
-    ->Iterations(1)
-    ->Unit(benchmark::kMillisecond);
+[[maybe_unused]] const benchmark::internal::Benchmark* const registered =
+    benchmark::RegisterBenchmark("explicit", explicitScheme)
+        ->Arg(2000)
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace shell_origami

@@ -24,7 +24,8 @@ void denseProduct(benchmark::State& state) {
   state.counters["GFlop_per_s"] =
       benchmark::Counter(2e-9 * n * n * n, benchmark::Counter::kIsIterationInvariantRate);
 }
-BENCHMARK(denseProduct)->Name("dgemm")->Unit(benchmark::kMillisecond);
+[[maybe_unused]] const benchmark::internal::Benchmark* const registered =
+    benchmark::RegisterBenchmark("dgemm", denseProduct)->Unit(benchmark::kMillisecond);
 
 /// a = b + s c over arrays of 64 MB, larger than a core's share of the caches.
 void triad(benchmark::State& state) {

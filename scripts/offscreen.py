@@ -6,8 +6,13 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 
 from rviz_config import Failure, config_for, write_config
+
+# Debian 11's rospy still asks threads by this name as it ends, which its Python no longer knows.
+if not hasattr(threading.Thread, "isAlive"):
+    threading.Thread.isAlive = threading.Thread.is_alive
 
 # Drawn this many times as large and then reduced, for smooth edges.
 OVERSAMPLING = 2

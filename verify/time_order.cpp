@@ -99,7 +99,7 @@ void verifyTimeOrder(VerificationReport& report) {
     for (int steps = 2 * scheme.coarsest; steps <= finest; steps *= 2) {
       const Eigen::MatrixXd fine = stateAfter(sheet, mode, solver, steps);
       const double difference = (fine - coarse).norm() / std::sqrt(fine.cols());
-      figure.row(scheme.name, {steps / 2 / kPeriods, difference});
+      figure.row(scheme.name, {0.5 * steps / kPeriods, difference});
       differences.push_back(difference);
       coarse = fine;
     }

@@ -1,7 +1,6 @@
+#include "origami/bounded_yaml.h"
 #include "origami/recipe.h"
 #include "sheet/refuse.h"
-
-#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 #include <filesystem>
@@ -322,7 +321,7 @@ void apply(const Overrides& overrides, const Reader& reader, YAML::Node root) {
         reader.refuseAt(place, "'", key, "' does not lead to a value");
       }
     }
-    place[key.substr(start)] = YAML::Load(value);
+    place[key.substr(start)] = loadBoundedYaml(value);
   }
 }
 
@@ -366,7 +365,7 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
   recipe.config = defaults;
   recipe.sheet = sheet;
   try {
-    YAML::Node root = YAML::Load(source.text);
+    YAML::Node root = loadBoundedYaml(source.text);
     apply(overrides, reader, root);
     readRoot(reader, root, source.folder, recipe);
   } catch (const YAML::Exception& error) {

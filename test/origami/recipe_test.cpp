@@ -125,6 +125,19 @@ TEST_F(RecipeTest, RefusesWithTheLineAndTheValue) {
   EXPECT_THROW(loadRecipe("/nowhere/at_all.yaml"), std::invalid_argument);
 }
 
+TEST_F(RecipeTest, TextThatNestsWithoutEndIsRefused) {
+  std::string dashes;
+  for (int i = 0; i < 1000000; ++i) dashes += "- ";
+  for (const std::string& text : {std::string(1000000, '['), std::string(1000000, '{'), dashes}) {
+    try {
+      readRecipe({"yaml", "", "steps:\n" + text});
+      FAIL() << text.substr(0, 2);
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("deeper"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST_F(RecipeTest, IsReadFromTextToo) {
   const Recipe recipe = readRecipe({"yaml", "", "steps:\n  - settle: {timeout: 3}"});
   ASSERT_EQ(recipe.steps.size(), 1u);
