@@ -117,7 +117,9 @@ void OrigamiNode::resume() {
 
 std::uint32_t OrigamiNode::takeSteps(std::uint32_t count) {
   std::uint32_t taken = 0;
-  while (taken < count && ros::ok() && advance()) {
+  // As roscpp shuts down it waits for the request that asks for these steps; Debian 11's is ok()
+  // until then.
+  while (taken < count && !ros::isShuttingDown() && advance()) {
     ++taken;
     if (movingDue()) publish();
   }
