@@ -13,6 +13,10 @@ from std_srvs.srv import Trigger
 
 from shell_origami import msg, srv
 
+# Debian 11's rospy still asks threads by this name as it ends, which its Python no longer knows.
+if not hasattr(threading.Thread, 'isAlive'):
+    threading.Thread.isAlive = threading.Thread.is_alive
+
 SERVICES = {
     'fold': srv.Fold, 'pin': srv.Pin, 'unpin': srv.Unpin, 'add_vertex': srv.AddVertex,
     'load': srv.Load, 'save': srv.Save, 'step': srv.Step,
