@@ -2,6 +2,7 @@
 """Two grippers lift the edge of a sheet, fold it over, and let go; it stays folded."""
 
 import math
+import os
 import queue
 import signal
 import subprocess
@@ -22,6 +23,8 @@ WEIGHT = 800 * 2e-4 * SIDE * SIDE * 9.81  # [N]
 FRAMES = ('gripper_left', 'gripper_right', 'world')
 LAUNCH = ['roslaunch', 'shell_origami', 'gripper.launch', 'rviz:=false', 'clock:=lead',
           'real_time_factor:=2']
+# Debian 11's roslaunch keeps what it says to itself until it ends.
+AT_ONCE = dict(os.environ, PYTHONUNBUFFERED='1')
 
 
 class GripperTest(unittest.TestCase):
@@ -32,7 +35,7 @@ class GripperTest(unittest.TestCase):
         cls.wrenches = {frame: Recorder('/origami/wrench/' + frame, WrenchStamped)
                         for frame in FRAMES}
         cls.launched = subprocess.Popen(LAUNCH, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                        universal_newlines=True)
+                                        universal_newlines=True, env=AT_ONCE)
         cls.lines = queue.Queue()
         cls.reader = threading.Thread(target=cls.read)
         cls.reader.start()
