@@ -37,6 +37,8 @@ class GripperTest(unittest.TestCase):
         cls.launched = subprocess.Popen(LAUNCH, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                         universal_newlines=True, env=AT_ONCE)
         cls.lines = queue.Queue()
+        # Whatever fails from here on, nothing is left running.
+        cls.addClassCleanup(cls.end)
         cls.reader = threading.Thread(target=cls.read)
         cls.reader.start()
         cls.said = cls.listen(60)
@@ -44,7 +46,7 @@ class GripperTest(unittest.TestCase):
                                     cls.edit('unpin').header.stamp)
 
     @classmethod
-    def tearDownClass(cls):
+    def end(cls):
         cls.launched.send_signal(signal.SIGINT)
         cls.launched.wait()
         cls.reader.join()
@@ -60,7 +62,10 @@ class GripperTest(unittest.TestCase):
         """What is said until the grippers have done."""
         deadline, said = time.time() + seconds, ''
         while '[gripper_demo' not in said.split('started with pid')[-1]:
-            said += cls.lines.get(timeout=max(0, deadline - time.time()))
+            try:
+                said += cls.lines.get(timeout=max(0, deadline - time.time()))
+            except queue.Empty:
+                raise AssertionError('the grippers do not come to an end: ' + said)
         return said
 
     @classmethod
