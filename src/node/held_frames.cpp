@@ -1,5 +1,6 @@
 #include "node/held_frames.h"
 
+#include "node/tf_point.h"
 #include "sheet/refuse.h"
 
 #include <algorithm>
@@ -52,13 +53,10 @@ std::vector<int> HeldFrames::pin(const PinWhere& where, const std::string& frame
   if (frame == "paper" || frame.rfind("panel_", 0) == 0) {
     refuse("frame_id is \"", frame, "\", which is the paper's own and cannot hold it");
   }
-  geometry_msgs::TransformStamped transform;
-  try {
-    transform = lookUp(frame, ros::Time(0));
-  } catch (const tf2::TransformException& error) {
-    refuse("frame_id is \"", frame, "\", which TF cannot bring to \"",
-           origami_.config().world_frame, "\": ", error.what());
-  }
+  std_msgs::Header latest;
+  latest.frame_id = frame;
+  const geometry_msgs::TransformStamped transform =
+      transformToWorld("frame_id is", latest, origami_.config().world_frame, tf_);
   const bool follows = origami_.paper().simulation().held().grips().count(frame) > 0;
   std::vector<int> vertices = origami_.paper().simulation().pin(where, frame, poseOf(transform));
   if (!follows) followers_[frame] = {transform.header.stamp, 0};

@@ -122,6 +122,7 @@ std::uint32_t OrigamiNode::takeSteps(std::uint32_t count) {
   while (taken < count && !ros::isShuttingDown() && advance()) {
     ++taken;
     if (movingDue()) publish();
+    keepCheckpoint();
   }
   changed_ = true;
   return taken;
@@ -139,7 +140,6 @@ bool OrigamiNode::advance() {
     return false;
   }
   clock_->announce(run_.paper.time());
-  keepCheckpoint();
   return true;
 }
 

@@ -1,5 +1,6 @@
 """What the node tests share: the node's services as functions, and its latest messages."""
 
+import math
 import os
 import threading
 import time
@@ -109,6 +110,10 @@ class Origami(object):
 
 def line(x0, y0, x1, y1):
     return [Point(x0, y0, 0), Point(x1, y1, 0)]
+
+
+def distance(p, q):
+    return math.sqrt((p.x - q.x) ** 2 + (p.y - q.y) ** 2 + (p.z - q.z) ** 2)
 
 
 class NodeTest(unittest.TestCase):

@@ -7,16 +7,12 @@ import rospy
 import rostest
 from geometry_msgs.msg import PointStamped
 
-from origami_client import NodeTest, Origami, Recorder, line
+from origami_client import NodeTest, Origami, Recorder, distance, line
 from shell_origami.msg import Picked
 
 SIDE = 0.15
 NAN = float('nan')
 INF = float('inf')
-
-
-def distance(p, q):
-    return math.sqrt((p.x - q.x) ** 2 + (p.y - q.y) ** 2 + (p.z - q.z) ** 2)
 
 
 class PickingTest(NodeTest):

@@ -10,7 +10,7 @@ import tf2_ros
 from tf2_msgs.msg import TFMessage
 from visualization_msgs.msg import Marker, MarkerArray
 
-from origami_client import NodeTest, Origami, Recorder, line
+from origami_client import NodeTest, Origami, Recorder, distance, line
 from shell_origami.msg import Energy
 
 SIDE = 0.15
@@ -28,10 +28,6 @@ def turn_between(first, second):
     q, r = ((t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w) for t in (first, second))
     x, y, z, w = times((-q[0], -q[1], -q[2], q[3]), r)
     return 2 * math.atan2(math.sqrt(x * x + y * y + z * z), abs(w))
-
-
-def distance(p, q):
-    return math.sqrt((p.x - q.x) ** 2 + (p.y - q.y) ** 2 + (p.z - q.z) ** 2)
 
 
 class TopicsTest(NodeTest):
