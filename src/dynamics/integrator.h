@@ -17,6 +17,7 @@ struct Motion {
   Positions positions;      ///< [m]
   Positions velocities;     ///< [m/s]
   Positions accelerations;  ///< [m/s^2]
+  double steadiness = 1;    ///< part of its accelerations that the last step kept, 0 to 1
 };
 
 enum class IntegratorKind { kNewmark, kBackwardEuler, kSymplecticEuler };

@@ -16,7 +16,7 @@ class Newmark : public Integrator {
   double beta_, gamma_;
   ImplicitSolver& solver_;
   // Scratch, kept between steps.
-  Positions predicted_, velocity_, before_, start_, x_;
+  Positions predicted_, velocity_, velocity_before_, acceleration_before_, start_, x_;
   Inertia inertia_;
 };
 

@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 /// Grows where the file's contents change.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 Json jsonOf(const Run& run) {
   return {{"shell_origami", kVersion},

@@ -230,7 +230,7 @@ Snapshot read(const Json& json) {
   sheet.validate();
   const int count = sheet.vertexCount();
   Motion motion{columns(json.at("positions"), count), columns(json.at("velocities"), count),
-                columns(json.at("accelerations"), count)};
+                columns(json.at("accelerations"), count), json.at("steadiness")};
   CreaseDrive creases = readCreases(json.at("creases"), sheet);
   RestShape rest = readRest(json.at("rest"), config.rest, sheet);
   const Json& memory = json.at("memory");
@@ -282,6 +282,7 @@ Json toJson(const Snapshot& snapshot) {
       {"positions", numbers(snapshot.motion.positions)},
       {"velocities", numbers(snapshot.motion.velocities)},
       {"accelerations", numbers(snapshot.motion.accelerations)},
+      {"steadiness", snapshot.motion.steadiness},
       {"creases", {{"ramps", ramps}, {"stiffness", snapshot.creases.stiffness()}}},
       {"rest", {{"set", snapshot.rest.set()}, {"plastic", snapshot.rest.plastic()}}},
       {"held", write(snapshot.held)},

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace shell_origami {
@@ -122,6 +123,22 @@ TEST_P(AnyIntegrator, KeepsTheStateOfAStepThatFails) {
 INSTANTIATE_TEST_SUITE_P(All, AnyIntegrator,
                          testing::Values(IntegratorKind::kNewmark, IntegratorKind::kBackwardEuler,
                                          IntegratorKind::kSymplecticEuler));
+
+TEST(Newmark, ExpectsAsMuchOfTheAccelerationToStayAsLastDid) {
+  const Vector3 gravity(0, 0, -9.81);
+  for (double part : {-1.0, 0.0, 0.25, 1.0, 3.0}) {
+    Paper paper(gravity);
+    const Positions start = paper.motion.positions;
+    Stepper stepper(configOf(IntegratorKind::kNewmark));
+    stepper.setTopology(paper.allFree());
+    Carry nothing(Vector3::Zero(), start);
+    ASSERT_TRUE(stepper.step(paper.shell, 0, nothing, paper.motion).converged);
+    EXPECT_EQ(paper.motion.steadiness, 1) << "there was no acceleration to keep";
+    paper.shell.setGravity(part * gravity);
+    ASSERT_TRUE(stepper.step(paper.shell, 0, nothing, paper.motion).converged);
+    EXPECT_NEAR(paper.motion.steadiness, std::clamp(part, 0.0, 1.0), 1e-6) << part;
+  }
+}
 
 TEST(Integrators, AnExplicitStepAsLongAsAnImplicitOneBlowsUpAndIsTakenInParts) {
   // The stiffest wave of this mesh crosses an edge within some 20 microseconds.

@@ -147,6 +147,7 @@ TEST(Snapshot, WhatIsNoPaperIsRefused) {
       {"/sheet/next_crease_id", 0},
       {"/positions/7", "here"},
       {"/positions", {1, 2, 3}},
+      {"/steadiness", "half"},
       {"/creases/ramps", Json::array()},
       {"/creases/ramps/0/1", nullptr},
       {"/rest/set", {1.0}},
