@@ -98,7 +98,9 @@ def accuracy_row(size, b):
 def figures(benchmarks):
     rows = []
     if ('dgemm', 0) in benchmarks:
-        rows.append(['dgemm', number(benchmarks['dgemm', 0]['GFlop_per_s']) + ' GFlop/s'])
+        dgemm = benchmarks['dgemm', 0]
+        rows.append(['dgemm', '%s GFlop/s, kernels for %s' % (number(dgemm['GFlop_per_s']),
+                                                              dgemm['label'])])
     if ('triad', 0) in benchmarks:
         rows.append(['triad', number(benchmarks['triad', 0]['GB_per_s']) + ' GB/s'])
     if growth(benchmarks) is not None:
