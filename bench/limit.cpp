@@ -95,7 +95,7 @@ std::vector<int> rowsBy(int vertex_order, const Shell& shell) {
 SystemMatrix stepMatrix(const Simulation& simulation, const std::vector<int>& rows) {
   const Shell& shell = simulation.shell();
   const Positions& x = simulation.positions();
-  std::vector<double> angles;
+  std::vector<FoldAngle> angles;
   std::vector<HingeGradient> turns;
   std::vector<MembraneStrain> strains;
   shell.foldAngles(x, angles);

@@ -13,8 +13,8 @@ extern "C" void dgemm_(const char* transpose_a, const char* transpose_b, const i
 
 namespace {
 
-/// What OpenBLAS takes the processor for, by itself or because OPENBLAS_CORETYPE says so: it decides
-/// on the speed of a factorization. Another BLAS does not tell.
+/// What OpenBLAS takes the processor for, by itself or because OPENBLAS_CORETYPE says so: it
+/// decides on the speed of a factorization. Another BLAS does not tell.
 std::string blasKernels() {
   const auto name =
       reinterpret_cast<const char* (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));

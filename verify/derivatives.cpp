@@ -146,7 +146,7 @@ std::vector<double> hingeAngles() {
 }
 
 DerivativeError foldAngleError(const HingePoints& points) {
-  return compare(foldAngle(variables<12>(points)), shell_origami::foldAngle(points),
+  return compare(foldAngle(variables<12>(points)), shell_origami::foldAngle(points).radians,
                  foldAngleGradient(points), foldAngleHessian(points));
 }
 

@@ -44,8 +44,7 @@ bool Newmark::step(const Loading& loading, double dt, Motion& motion, StepReport
     motion.velocities.col(v) = (x_.col(v) - motion.positions.col(v)) / dt;
     motion.accelerations.col(v) = (motion.velocities.col(v) - velocity_before_.col(v)) / dt;
   }
-  motion.steadiness =
-      keptPart(acceleration_before_, motion.accelerations, loading.shell.masses());
+  motion.steadiness = keptPart(acceleration_before_, motion.accelerations, loading.shell.masses());
   motion.positions.swap(x_);
   return true;
 }

@@ -54,7 +54,8 @@ void Newton::setTopology(const Shell& shell, const std::vector<bool>& free) {
 }
 
 double Newton::objective(const Shell& shell, const Inertia& inertia, const Positions& x,
-                         const std::vector<double>& before, std::vector<double>& angles) const {
+                         const std::vector<FoldAngle>& before,
+                         std::vector<FoldAngle>& angles) const {
   const double distance =
       (x - inertia.anchor).colwise().squaredNorm().dot(shell.masses().transpose());
   return shell.energy(x, before, angles) + inertia.stiffness / 2 * distance;

@@ -73,7 +73,7 @@ class Newton {
   /// Where a search begins.
   struct Base {
     Positions x, step;
-    std::vector<double> angles;
+    std::vector<FoldAngle> angles;
     double value = 0;  ///< of the objective [J]
     double slope = 0;  ///< its first-order change along the step [J]
   };
@@ -81,7 +81,7 @@ class Newton {
   bool start(const Shell& shell, const Inertia& inertia, const Positions& before,
              const Positions& x, NewtonResult& result);
   double objective(const Shell& shell, const Inertia& inertia, const Positions& x,
-                   const std::vector<double>& before, std::vector<double>& angles) const;
+                   const std::vector<FoldAngle>& before, std::vector<FoldAngle>& angles) const;
   bool assembleAndFactorize(const Shell& shell, const Inertia& inertia, const Positions& x,
                             HessianKind kind, NewtonResult& result);
   bool factorize(const Shell& shell, const Inertia& inertia, const Positions& x,
@@ -103,7 +103,7 @@ class Newton {
   // Scratch, kept between iterations and steps.
   Base base_;
   double value_ = 0, trial_value_ = 0;
-  std::vector<double> angles_before_, angles_, trial_angles_;
+  std::vector<FoldAngle> angles_before_, angles_, trial_angles_;
   std::vector<HingeGradient> turns_;
   std::vector<MembraneStrain> strains_;
   Positions gradient_, step_, trial_;

@@ -14,7 +14,7 @@ class SymplecticEuler : public Integrator {
 
  private:
   // Scratch, kept between steps.
-  std::vector<double> angles_;
+  std::vector<FoldAngle> angles_;
   std::vector<HingeGradient> turns_;
   Positions gradient_;
 };

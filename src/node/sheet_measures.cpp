@@ -145,7 +145,7 @@ std::vector<double> SheetMeasures::curvatures(const Positions& x) const {
   std::vector<Vector3> sums(triangles_.size(), Vector3::Zero());
   for (const Bend& bend : bends_) {
     const auto& v = bend.vertices;
-    const double angle = foldAngle({x.col(v[0]), x.col(v[1]), x.col(v[2]), x.col(v[3])});
+    const double angle = foldAngle({x.col(v[0]), x.col(v[1]), x.col(v[2]), x.col(v[3])}).radians;
     for (const std::uint32_t t : bend.triangles) sums[t] += angle / bend.width * bend.direction;
   }
   sums = withNeighbours(sums);

@@ -69,10 +69,15 @@ void addWing(const Wing& wing, const std::array<int, 3>& at, HingeHessian& hessi
 
 }  // namespace
 
-double foldAngle(const HingePoints& x) {
+FoldAngle foldAngle(const HingePoints& x) {
   const Vector3d e = x[1] - x[0];
   const Vector3d n1 = e.cross(x[2] - x[0]), n2 = (x[3] - x[1]).cross(e);
-  return std::atan2(n2.cross(n1).dot(e), n1.dot(n2) * e.norm());
+  const double sine = n2.cross(n1).dot(e), cosine = n1.dot(n2) * e.norm();
+  const double one = std::sqrt(sine * sine + cosine * cosine);
+  if (one == 0) return {};  // a wing without area
+  // Of two forms of the same, that which subtracts nothing.
+  const double half_tangent = cosine < 0 ? (one - cosine) / sine : sine / (one + cosine);
+  return {2 * std::atan(half_tangent), half_tangent};
 }
 
 HingeGradient foldAngleGradient(const HingePoints& x) {
@@ -96,25 +101,25 @@ HingeHessian foldAngleHessian(const HingePoints& x) {
   return hessian;
 }
 
-Phi phi(double theta) {
-  const double tangent = std::tan(theta / 2), secant2 = 1 + tangent * tangent;
+Phi phi(const FoldAngle& theta) {
+  const double tangent = theta.half_tangent, secant2 = 1 + tangent * tangent;
   return {2 * tangent, secant2, secant2 * tangent};
 }
 
-Bend hingeBend(double theta, double rest) {
+Bend hingeBend(const FoldAngle& theta, const FoldAngle& rest) {
   const Phi p = phi(theta);
   return {p.value - phi(rest).value, p.first, p.second};
 }
 
-Bend creaseBend(double theta, double rest) {
+Bend creaseBend(const FoldAngle& theta, const FoldAngle& rest) {
   // Mirrored so that rest >= 0.
-  const double sign = rest < 0 ? -1 : 1;
-  const double turned = sign * theta, at_rest = sign * rest;
-  if (turned >= 0 && turned <= at_rest) return {theta - rest, 1, 0};
-  const Phi p = phi(turned);
-  if (turned < 0) return {sign * (p.value - at_rest), p.first, sign * p.second};
-  const Phi r = phi(at_rest);
-  return {sign * (p.value - r.value) / r.first, p.first / r.first, sign * p.second / r.first};
+  const double sign = rest.radians < 0 ? -1 : 1;
+  const double turned = sign * theta.radians, at_rest = sign * rest.radians;
+  if (turned >= 0 && turned <= at_rest) return {theta.radians - rest.radians, 1, 0};
+  const Phi p = phi(theta);
+  if (turned < 0) return {p.value - rest.radians, p.first, p.second};
+  const Phi r = phi(rest);
+  return {(p.value - r.value) / r.first, p.first / r.first, p.second / r.first};
 }
 
 }  // namespace shell_origami

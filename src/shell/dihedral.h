@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 
 namespace shell_origami {
 
@@ -23,7 +24,18 @@ using HingePoints = std::array<Eigen::Vector3d, 4>;
 using HingeGradient = Eigen::Matrix<double, 12, 1>;
 using HingeHessian = Eigen::Matrix<double, 12, 12>;
 
-double foldAngle(const HingePoints& x);
+/// A fold angle and the tangent of its half, which bending energies are made of: the points of a
+/// hinge give that tangent with no more than a root. It is infinite where the hinge is shut.
+struct FoldAngle {
+  FoldAngle() = default;
+  FoldAngle(double radians) : radians(radians), half_tangent(std::tan(radians / 2)) {}
+  FoldAngle(double radians, double half_tangent) : radians(radians), half_tangent(half_tangent) {}
+
+  double radians = 0;  ///< in [-pi, pi]
+  double half_tangent = 0;
+};
+
+FoldAngle foldAngle(const HingePoints& x);
 
 /// d theta / d (x0, x1, x2, x3). Tamstorf & Grinspun, Discrete bending forces and their Jacobians
 /// (2013), section 3.
@@ -37,14 +49,14 @@ HingeHessian foldAngleHessian(const HingePoints& x);
 struct Phi {
   double value, first, second;
 };
-Phi phi(double theta);
+Phi phi(const FoldAngle& theta);
 
 /// How far a hinge is from rest, as its energy counts it, and its derivatives by theta. At rest
 /// the value is 0.
 using Bend = Phi;
 
 /// A hinge of the sheet: phi(theta) - phi(rest) (Discrete Shells Origami, figure 11).
-Bend hingeBend(double theta, double rest);
+Bend hingeBend(const FoldAngle& theta, const FoldAngle& rest);
 
 /// A crease: first derivative 1 at rest, so that a crease's stiffness means the same at every rest
 /// angle. Towards the half turn on the side of its rest angle it goes as phi, divided by
@@ -57,6 +69,6 @@ Bend hingeBend(double theta, double rest);
 /// Twice continuously differentiable times its value. With the first line alone a crease at rest
 /// at 170 degrees would pull with a hundredth of its stiffness once opened by 30 degrees: a fold
 /// asked for at once would hardly start.
-Bend creaseBend(double theta, double rest);
+Bend creaseBend(const FoldAngle& theta, const FoldAngle& rest);
 
 }  // namespace shell_origami

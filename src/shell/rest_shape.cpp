@@ -40,8 +40,9 @@ void RestShape::roll(const Sheet& sheet) {
     const Edge& edge = sheet.edges()[j];
     if (edge.onBorder()) continue;
     const auto at = [&](int v) { return rolledUp(sheet.flatPositions()[v], roll_); };
-    rolled_[j] = foldAngle(
-        {at(edge.vertices[0]), at(edge.vertices[1]), at(edge.opposite[0]), at(edge.opposite[1])});
+    rolled_[j] = foldAngle({at(edge.vertices[0]), at(edge.vertices[1]), at(edge.opposite[0]),
+                            at(edge.opposite[1])})
+                     .radians;
   }
 }
 
@@ -68,7 +69,7 @@ void RestShape::yield(const Material& material, const Positions& positions, Shel
   for (int j = 0; j < static_cast<int>(shell.hinges().size()); ++j) {
     const Hinge& hinge = shell.hinges()[j];
     if (hinge.crease >= 0) continue;
-    const double bend = shell.foldAngle(j, positions) - hinge.rest_angle;
+    const double bend = shell.foldAngle(j, positions) - hinge.rest_angle.radians;
     const double limit =
         std::max(0.0, material.yield_curvature + material.hardening * plastic_[hinge.edge]);
     const double excess = std::abs(bend) / hinge.width - limit;

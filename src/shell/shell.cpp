@@ -24,11 +24,13 @@ double heightOn(const Vector2& a, const Vector2& b, const Vector2& apex) {
   return std::abs(doubleArea(a, b, apex)) / (b - a).norm();
 }
 
-bool passedShut(double theta, double before) {
-  return std::abs(theta) > kLastAngle && std::abs(theta) > std::abs(before);
+bool passedShut(const FoldAngle& theta, const FoldAngle& before) {
+  return std::abs(theta.radians) > kLastAngle && std::abs(theta.radians) > std::abs(before.radians);
 }
 
-bool jumped(double theta, double before) { return std::abs(theta - before) > 2 * kLargestTurn; }
+bool jumped(const FoldAngle& theta, const FoldAngle& before) {
+  return std::abs(theta.radians - before.radians) > 2 * kLargestTurn;
+}
 
 }  // namespace
 
@@ -118,24 +120,24 @@ double Shell::bendingEnergy(const Positions& x) const {
 double Shell::gravityEnergy(const Positions& x) const { return 0 - gravity_.dot(x * masses_); }
 
 double Shell::foldAngle(int hinge, const Positions& x) const {
-  return shell_origami::foldAngle(pointsOf(hinges_[hinge], x));
+  return shell_origami::foldAngle(pointsOf(hinges_[hinge], x)).radians;
 }
 
-double Shell::moment(int hinge, double theta) const {
+double Shell::moment(int hinge, const FoldAngle& theta) const {
   const Hinge& h = hinges_[hinge];
   const Bend bend = h.bend(theta);
   return -h.stiffness / h.length * bend.value * bend.first;
 }
 
-void Shell::foldAngles(const Positions& x, std::vector<double>& angles) const {
+void Shell::foldAngles(const Positions& x, std::vector<FoldAngle>& angles) const {
   angles.resize(hinges_.size());
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
     angles[j] = shell_origami::foldAngle(pointsOf(hinges_[j], x));
   }
 }
 
-double Shell::energy(const Positions& x, const std::vector<double>& before,
-                     std::vector<double>& angles) const {
+double Shell::energy(const Positions& x, const std::vector<FoldAngle>& before,
+                     std::vector<FoldAngle>& angles) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double energy = gravityEnergy(x);
   std::visit(
@@ -158,7 +160,8 @@ double Shell::energy(const Positions& x, const std::vector<double>& before,
   return energy;
 }
 
-std::optional<Fault> Shell::findFault(const Positions& x, const std::vector<double>& angles) const {
+std::optional<Fault> Shell::findFault(const Positions& x,
+                                      const std::vector<FoldAngle>& angles) const {
   for (int v = 0; v < vertexCount(); ++v) {
     if (!x.col(v).allFinite()) return Fault{"a position is not finite", v};
   }
@@ -170,7 +173,7 @@ std::optional<Fault> Shell::findFault(const Positions& x, const std::vector<doub
     if (collapsed) return Fault{"a triangle would collapse", triangles_[i][0]};
   }
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
-    const double theta = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+    const FoldAngle theta = shell_origami::foldAngle(pointsOf(hinges_[j], x));
     const int v = hinges_[j].vertices[0];
     if (passedShut(theta, angles[j])) return Fault{"a hinge would pass 180 degrees", v};
     if (jumped(theta, angles[j])) return Fault{"a hinge would jump", v};
@@ -178,8 +181,8 @@ std::optional<Fault> Shell::findFault(const Positions& x, const std::vector<doub
   return std::nullopt;
 }
 
-std::optional<Fault> Shell::findJump(const std::vector<double>& before,
-                                     const std::vector<double>& angles) const {
+std::optional<Fault> Shell::findJump(const std::vector<FoldAngle>& before,
+                                     const std::vector<FoldAngle>& angles) const {
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
     if (jumped(angles[j], before[j])) return Fault{"a hinge would jump", hinges_[j].vertices[0]};
   }
@@ -217,7 +220,7 @@ void Shell::strainsAfter(const Positions& x, const Positions& displacement,
       membranes_);
 }
 
-void Shell::addGradient(const Positions& x, const std::vector<double>& angles,
+void Shell::addGradient(const Positions& x, const std::vector<FoldAngle>& angles,
                         const std::vector<HingeGradient>& turns, Positions& gradient) const {
   gradient.noalias() -= gravity_ * masses_.transpose();
   std::visit(
@@ -239,34 +242,35 @@ void Shell::addGradient(const Positions& x, const std::vector<double>& angles,
 }
 
 void Shell::addGradient(const Positions& x, Positions& gradient) const {
-  std::vector<double> angles;
+  std::vector<FoldAngle> angles;
   std::vector<HingeGradient> turns;
   foldAngles(x, angles);
   this->turns(x, turns);
   addGradient(x, angles, turns, gradient);
 }
 
-bool Shell::nearRest(const Hinge& hinge, double theta) {
-  return std::abs(theta - hinge.rest_angle) < kNearRest;
+bool Shell::nearRest(const Hinge& hinge, const FoldAngle& theta) {
+  return std::abs(theta.radians - hinge.rest_angle.radians) < kNearRest;
 }
 
 // psi'' grad(theta) grad(theta)^T; where psi'' is small or negative its convex part stands in.
-RankOne Shell::gaussNewton(const Hinge& hinge, double theta, const HingeGradient& turn) const {
+RankOne Shell::gaussNewton(const Hinge& hinge, const FoldAngle& theta,
+                           const HingeGradient& turn) const {
   const Bend bend = hinge.bend(theta);
   const double convex = bend.first * bend.first;
   return {hinge.stiffness * std::max(convex, convex + bend.value * bend.second), turn};
 }
 
-HingeHessian Shell::exactHessian(const Hinge& hinge, double theta, const HingeGradient& turn,
-                                 const HingePoints& points) const {
+HingeHessian Shell::exactHessian(const Hinge& hinge, const FoldAngle& theta,
+                                 const HingeGradient& turn, const HingePoints& points) const {
   const Bend bend = hinge.bend(theta);
   const double first = hinge.stiffness * bend.value * bend.first;
   const double second = hinge.stiffness * (bend.first * bend.first + bend.value * bend.second);
   return first * foldAngleHessian(points) + second * turn * turn.transpose();
 }
 
-double Shell::safeStep(const std::vector<double>& angles, const std::vector<HingeGradient>& turns,
-                       const Positions& step) const {
+double Shell::safeStep(const std::vector<FoldAngle>& angles,
+                       const std::vector<HingeGradient>& turns, const Positions& step) const {
   double fraction = 1;
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
     double turn = 0;
@@ -274,7 +278,7 @@ double Shell::safeStep(const std::vector<double>& angles, const std::vector<Hing
       turn += turns[j].segment<3>(3 * k).dot(step.col(hinges_[j].vertices[k]));
     }
     if (std::abs(turn) * fraction > kLargestTurn) fraction = kLargestTurn / std::abs(turn);
-    const double room = kPartOfRoom * (kLastAngle - std::copysign(1.0, turn) * angles[j]);
+    const double room = kPartOfRoom * (kLastAngle - std::copysign(1.0, turn) * angles[j].radians);
     if (room > 0 && std::abs(turn) * fraction > room) fraction = room / std::abs(turn);
   }
   return fraction;

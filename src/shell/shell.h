@@ -18,14 +18,14 @@ namespace shell_origami {
 /// W = stiffness / 2 u^2 with u = hingeBend(theta, rest_angle), of a crease creaseBend().
 struct Hinge {
   std::array<int, 4> vertices;
-  double length = 0;      ///< |e| on the flat sheet [m]
-  double width = 0;       ///< of the paper that bends in it: two thirds of its mean height [m]
-  int edge = -1;          ///< index into Sheet::edges()
-  double stiffness = 0;   ///< [J]
-  double rest_angle = 0;  ///< [rad]
-  int crease = -1;        ///< index into Sheet::creases(), or -1
+  double length = 0;     ///< |e| on the flat sheet [m]
+  double width = 0;      ///< of the paper that bends in it: two thirds of its mean height [m]
+  int edge = -1;         ///< index into Sheet::edges()
+  double stiffness = 0;  ///< [J]
+  FoldAngle rest_angle;
+  int crease = -1;  ///< index into Sheet::creases(), or -1
 
-  Bend bend(double theta) const {
+  Bend bend(const FoldAngle& theta) const {
     return crease < 0 ? hingeBend(theta, rest_angle) : creaseBend(theta, rest_angle);
   }
 };
@@ -74,19 +74,19 @@ class Shell {
 
   double foldAngle(int hinge, const Positions& x) const;
   /// Moment of a hinge per metre of it [N*m/m], positive towards a valley.
-  double moment(int hinge, double theta) const;
+  double moment(int hinge, const FoldAngle& theta) const;
 
   /// Energy [J] with every fold angle near `before`, those of a configuration close by (one a
   /// hinge): infinite where a hinge would have passed 180 degrees on the way, or a triangle has
   /// collapsed. Where it is finite `angles` are those at x.
-  double energy(const Positions& x, const std::vector<double>& before,
-                std::vector<double>& angles) const;
+  double energy(const Positions& x, const std::vector<FoldAngle>& before,
+                std::vector<FoldAngle>& angles) const;
   /// What made energy() infinite; nothing where it is not.
-  std::optional<Fault> findFault(const Positions& x, const std::vector<double>& angles) const;
+  std::optional<Fault> findFault(const Positions& x, const std::vector<FoldAngle>& angles) const;
   /// The first hinge that turned further between two configurations than a step may.
-  std::optional<Fault> findJump(const std::vector<double>& before,
-                                const std::vector<double>& angles) const;
-  void foldAngles(const Positions& x, std::vector<double>& angles) const;
+  std::optional<Fault> findJump(const std::vector<FoldAngle>& before,
+                                const std::vector<FoldAngle>& angles) const;
+  void foldAngles(const Positions& x, std::vector<FoldAngle>& angles) const;
   /// d theta / dx of every hinge.
   void turns(const Positions& x, std::vector<HingeGradient>& turns) const;
   /// One a triangle; where a displacement is given, after it, to first order.
@@ -94,14 +94,14 @@ class Shell {
   void strainsAfter(const Positions& x, const Positions& displacement,
                     std::vector<MembraneStrain>& strains) const;
   /// Adds dW/dx [N], with the angles and turns at x.
-  void addGradient(const Positions& x, const std::vector<double>& angles,
+  void addGradient(const Positions& x, const std::vector<FoldAngle>& angles,
                    const std::vector<HingeGradient>& turns, Positions& gradient) const;
   void addGradient(const Positions& x, Positions& gradient) const;
   /// Calls sink(i, block) with the 9x9 block of every triangle i, then sink(triangles + j, block)
   /// with the 12x12 block of every hinge j, a HingeHessian or a RankOne. `strains` are those that
   /// the stress in the geometric stiffness is of.
   template <class Sink>
-  void forEachHessian(const Positions& x, const std::vector<double>& angles,
+  void forEachHessian(const Positions& x, const std::vector<FoldAngle>& angles,
                       const std::vector<HingeGradient>& turns,
                       const std::vector<MembraneStrain>& strains, HessianKind kind,
                       Sink&& sink) const;
@@ -110,15 +110,15 @@ class Shell {
   void forEachExactHessian(const Positions& x, Sink&& sink) const;
   /// Largest fraction of `step` in (0, 1] that turns no hinge by more than a radian nor carries
   /// one past the last angle before 180 degrees, by the angles and turns where it starts.
-  double safeStep(const std::vector<double>& angles, const std::vector<HingeGradient>& turns,
+  double safeStep(const std::vector<FoldAngle>& angles, const std::vector<HingeGradient>& turns,
                   const Positions& step) const;
 
  private:
   TrianglePoints pointsOf(const Triangle& t, const Positions& x) const;
   HingePoints pointsOf(const Hinge& h, const Positions& x) const;
-  static bool nearRest(const Hinge& hinge, double theta);
-  RankOne gaussNewton(const Hinge& hinge, double theta, const HingeGradient& turn) const;
-  HingeHessian exactHessian(const Hinge& hinge, double theta, const HingeGradient& turn,
+  static bool nearRest(const Hinge& hinge, const FoldAngle& theta);
+  RankOne gaussNewton(const Hinge& hinge, const FoldAngle& theta, const HingeGradient& turn) const;
+  HingeHessian exactHessian(const Hinge& hinge, const FoldAngle& theta, const HingeGradient& turn,
                             const HingePoints& points) const;
 
   std::vector<Triangle> triangles_;
@@ -132,7 +132,7 @@ class Shell {
 };
 
 template <class Sink>
-void Shell::forEachHessian(const Positions& x, const std::vector<double>& angles,
+void Shell::forEachHessian(const Positions& x, const std::vector<FoldAngle>& angles,
                            const std::vector<HingeGradient>& turns,
                            const std::vector<MembraneStrain>& strains, HessianKind kind,
                            Sink&& sink) const {

@@ -43,7 +43,7 @@ struct System {
   }
 
   void fill() {
-    std::vector<double> angles;
+    std::vector<FoldAngle> angles;
     std::vector<HingeGradient> turns;
     std::vector<MembraneStrain> strains;
     shell.foldAngles(x, angles);

@@ -36,7 +36,7 @@ void expectDerivatives(const HingePoints& x, double scale) {
   HingeGradient numeric;
   HingeHessian numeric_hessian;
   for (int i = 0; i < 12; ++i) {
-    numeric[i] = (foldAngle(moved(x, i, h)) - foldAngle(moved(x, i, -h))) / (2 * h);
+    numeric[i] = (foldAngle(moved(x, i, h)).radians - foldAngle(moved(x, i, -h)).radians) / (2 * h);
     numeric_hessian.col(i) =
         (foldAngleGradient(moved(x, i, h)) - foldAngleGradient(moved(x, i, -h))) / (2 * h);
   }
@@ -50,7 +50,11 @@ class DihedralTest : public testing::TestWithParam<double> {};
 TEST_P(DihedralTest, ValleyIsPositive) {
   for (const double sign : {1.0, -1.0}) {
     const double theta = sign * GetParam() * kDegree;
-    EXPECT_NEAR(foldAngle(bentHinge(theta, 0.5, 1, 0.7, 0.8)), theta, 1e-12);
+    const FoldAngle angle = foldAngle(bentHinge(theta, 0.5, 1, 0.7, 0.8));
+    EXPECT_NEAR(angle.radians, theta, 1e-12);
+    // d tan(theta / 2) / d theta = (1 + tan^2) / 2 magnifies the rounding of the points.
+    const double tangent = std::tan(theta / 2);
+    EXPECT_NEAR(angle.half_tangent, tangent, 1e-12 * (1 + tangent * tangent));
   }
 }
 
@@ -83,6 +87,14 @@ TEST(Dihedral, TurningAndShiftingTheWholeHingeChangesNothing) {
   }
   EXPECT_LT(force.norm(), 1e-13);
   EXPECT_LT(torque.norm(), 1e-13);
+}
+
+TEST(Dihedral, ShutFlatIsAHalfTurnAndAWingWithoutAreaIsFlat) {
+  const HingePoints shut{{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 2, 0}}};
+  EXPECT_DOUBLE_EQ(std::abs(foldAngle(shut).radians), M_PI);
+  const HingePoints thin{{{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}, {0.5, -1, 0}}};
+  EXPECT_EQ(foldAngle(thin).radians, 0);
+  EXPECT_EQ(foldAngle(thin).half_tangent, 0);
 }
 
 TEST(Dihedral, PhiGrowsWithoutBoundTowardsAHalfTurn) {

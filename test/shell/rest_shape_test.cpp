@@ -59,7 +59,7 @@ TEST(RestShape, ARollSurvivesEdgeMaking) {
   const Positions x = rolledUp(sheet, 0.5);
   for (int j = 0; j < static_cast<int>(shell.hinges().size()); ++j) {
     if (shell.hinges()[j].crease >= 0) continue;
-    EXPECT_NEAR(shell.foldAngle(j, x), shell.hinges()[j].rest_angle, 1e-12);
+    EXPECT_NEAR(shell.foldAngle(j, x), shell.hinges()[j].rest_angle.radians, 1e-12);
   }
 }
 
@@ -83,22 +83,22 @@ TEST(RestShape, PaperBentFurtherThanItsYieldCurvatureKeepsTheExcess) {
       const Hinge& hinge = bent.shell.hinges()[j];
       const double angle = bent.shell.foldAngle(j, bent.x), curvature = angle / hinge.width;
       const double excess = std::max(0.0, std::abs(curvature) - 20);
-      EXPECT_NEAR(hinge.rest_angle, std::copysign(excess / (1 + hardening) * hinge.width, angle),
-                  1e-12);
+      EXPECT_NEAR(hinge.rest_angle.radians,
+                  std::copysign(excess / (1 + hardening) * hinge.width, angle), 1e-12);
       yielded += excess > 0;
     }
     EXPECT_GT(yielded, 50);
     // Held there it yields no further; the law is a rate-independent one.
-    const double before = bent.shell.hinges()[10].rest_angle;
+    const double before = bent.shell.hinges()[10].rest_angle.radians;
     bent.rest.yield(material, bent.x, bent.shell);
-    EXPECT_NEAR(bent.shell.hinges()[10].rest_angle, before, 1e-12);
+    EXPECT_NEAR(bent.shell.hinges()[10].rest_angle.radians, before, 1e-12);
   }
 }
 
 TEST(RestShape, ElasticPaperKeepsNothing) {
   Bent bent;
   bent.rest.yield({}, bent.x, bent.shell);
-  for (const Hinge& hinge : bent.shell.hinges()) EXPECT_EQ(hinge.rest_angle, 0);
+  for (const Hinge& hinge : bent.shell.hinges()) EXPECT_EQ(hinge.rest_angle.radians, 0);
 }
 
 TEST(RestShape, WhatYieldedSurvivesEdgeMaking) {
@@ -108,7 +108,7 @@ TEST(RestShape, WhatYieldedSurvivesEdgeMaking) {
   bent.rest.yield(material, bent.x, bent.shell);
   const Sheet before = bent.sheet;
   std::vector<double> set(before.edges().size());
-  for (const Hinge& hinge : bent.shell.hinges()) set[hinge.edge] = hinge.rest_angle;
+  for (const Hinge& hinge : bent.shell.hinges()) set[hinge.edge] = hinge.rest_angle.radians;
 
   const EditContext context{&bent.x, {}};
   const Remap remap =
@@ -120,7 +120,7 @@ TEST(RestShape, WhatYieldedSurvivesEdgeMaking) {
   for (const Hinge& hinge : shell.hinges()) {
     if (hinge.crease >= 0) continue;
     const int parent = remap.edges[hinge.edge];
-    EXPECT_EQ(hinge.rest_angle, parent == Remap::kNone ? 0 : set[parent]);
+    EXPECT_EQ(hinge.rest_angle.radians, parent == Remap::kNone ? 0 : set[parent]);
     kept += parent != Remap::kNone && set[parent] != 0;
   }
   EXPECT_GT(kept, 50);
