@@ -75,7 +75,7 @@ void accuracy(benchmark::State& state) {
     state.SetLabel("end " + at_the_end.crease + ", way " + on_the_way.crease);
   }
 }
-BENCHMARK(accuracy)->Arg(300)->Arg(2000)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(accuracy)->Arg(300)->Arg(2000)->Arg(10000)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace shell_origami
