@@ -24,6 +24,9 @@ double heightOn(const Vector2& a, const Vector2& b, const Vector2& apex) {
   return std::abs(doubleArea(a, b, apex)) / (b - a).norm();
 }
 
+/// The rest angle [rad], held short of 180 degrees.
+FoldAngle restAngle(double asked) { return std::clamp(asked, -kLastRestAngle, kLastRestAngle); }
+
 bool passedShut(const FoldAngle& theta, const FoldAngle& before) {
   return std::abs(theta.radians) > kLastAngle && std::abs(theta.radians) > std::abs(before.radians);
 }
@@ -77,12 +80,13 @@ Shell::Shell(const Sheet& sheet, const Material& material, const Vector3& gravit
 }
 
 void Shell::setRestAngle(int hinge, double rest_angle) {
-  hinges_[hinge].rest_angle = std::clamp(rest_angle, -kLastRestAngle, kLastRestAngle);
+  hinges_[hinge].rest_angle = restAngle(rest_angle);
 }
 
 void Shell::setCrease(int crease, double rest_angle, double stiffness) {
+  const FoldAngle rest = restAngle(rest_angle);
   for (int j : crease_hinges_[crease]) {
-    hinges_[j].rest_angle = std::clamp(rest_angle, -kLastRestAngle, kLastRestAngle);
+    hinges_[j].rest_angle = rest;
     const double part = crease_width_ > 0 ? crease_width_ / hinges_[j].width : 1;
     hinges_[j].stiffness = stiffness * part * hinges_[j].length;
   }
@@ -123,7 +127,7 @@ double Shell::foldAngle(int hinge, const Positions& x) const {
   return shell_origami::foldAngle(pointsOf(hinges_[hinge], x)).radians;
 }
 
-double Shell::moment(int hinge, const FoldAngle& theta) const {
+double Shell::moment(int hinge, double theta) const {
   const Hinge& h = hinges_[hinge];
   const Bend bend = h.bend(theta);
   return -h.stiffness / h.length * bend.value * bend.first;

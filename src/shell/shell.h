@@ -22,8 +22,8 @@ struct Hinge {
   double width = 0;      ///< of the paper that bends in it: two thirds of its mean height [m]
   int edge = -1;         ///< index into Sheet::edges()
   double stiffness = 0;  ///< [J]
-  FoldAngle rest_angle;
-  int crease = -1;  ///< index into Sheet::creases(), or -1
+  FoldAngle rest_angle;  ///< short of 180 degrees
+  int crease = -1;       ///< index into Sheet::creases(), or -1
 
   Bend bend(const FoldAngle& theta) const {
     return crease < 0 ? hingeBend(theta, rest_angle) : creaseBend(theta, rest_angle);
@@ -74,7 +74,7 @@ class Shell {
 
   double foldAngle(int hinge, const Positions& x) const;
   /// Moment of a hinge per metre of it [N*m/m], positive towards a valley.
-  double moment(int hinge, const FoldAngle& theta) const;
+  double moment(int hinge, double theta) const;
 
   /// Energy [J] with every fold angle near `before`, those of a configuration close by (one a
   /// hinge): infinite where a hinge would have passed 180 degrees on the way, or a triangle has
