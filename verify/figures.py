@@ -6,6 +6,7 @@ import os
 import matplotlib
 matplotlib.use('Agg')
 import matplotlib.pyplot as plt  # noqa: E402 (the backend has to be chosen before)
+from matplotlib.ticker import LogLocator, NullFormatter  # noqa: E402
 
 plt.rcParams.update({'figure.figsize': (5.6, 3.8), 'figure.dpi': 110, 'axes.grid': True,
                      'grid.alpha': 0.3, 'axes.spines.top': False, 'axes.spines.right': False,
@@ -42,6 +43,13 @@ def slope(axes, x, y, order, label):
     axes.plot(x, [y[0] * (at / x[0]) ** order for at in x], 'k--', linewidth=0.8, label=label)
 
 
+def few_decades(axis):
+    """Numbers at 1, 2 and 5 of each decade of a logarithmic axis, where powers of ten are too few."""
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter('{x:g}')
+    axis.set_minor_formatter(NullFormatter())
+
+
 def cantilever_shape(rows, axes):
     for gamma, of, colour in groups(rows, 'gamma'):
         exact, mesh = [[row for row in of if row['kind'] == kind] for kind in (0, 1)]
@@ -60,6 +68,7 @@ def cantilever_convergence(rows, axes):
     slope(axes, x, [abs(row['endless_drop_error']) for row in of], 2, 'order 2')
     axes.set(xlabel='height of a row of triangles / L', ylabel='error of the tip drop / L')
     axes.set_ylim(1e-5, None)
+    few_decades(axes.xaxis)
     axes.legend()
 
 
@@ -96,6 +105,7 @@ def cylinder(rows, axes):
     x = column(of, 'max_edge')
     axes.loglog(x, [edge / 0.1 for edge in x], 'k--', linewidth=0.8, label='edge / side')
     axes.set(xlabel='longest edge [m]', ylabel='relative error of the energy')
+    few_decades(axes.xaxis)
     axes.legend(ncol=2, fontsize=8)
 
 
@@ -159,6 +169,8 @@ def flat_folded(rows, axes):
     x = column(of, 'd')
     slope(axes, x, [0.8 * y for y in column(of, 'distance')], 1, 'order 1')
     axes.set(xlabel='d [degrees]', ylabel='largest distance / size of the sheet')
+    few_decades(axes.xaxis)
+    few_decades(axes.yaxis)
     axes.legend(fontsize=8)
 
 
