@@ -1,8 +1,8 @@
 /// \file
 /// What an edit costs, on the flat sheet and on folded paper.
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/sheet/fold_line.h>
 #include "bench/scenes.h"
-#include "sheet/fold_line.h"
-#include "sheet/triangulate.h"
 
 #include <benchmark/benchmark.h>
 
@@ -20,7 +20,8 @@ void edit(benchmark::State& state) {
   for (auto _ : state) {
     state.PauseTiming();
     Sheet copy = sheet;
-    const Line line{Vector2(along(random), along(random)), Vector2(along(random), along(random))};
+    const Segment line{Vector2(along(random), along(random)),
+                       Vector2(along(random), along(random))};
     state.ResumeTiming();
     makeFoldLine(copy, line);
   }
@@ -35,7 +36,7 @@ void editInSimulation(benchmark::State& state) {
   RecipeRunner runner(recipe);
   while (folded.time() < 0.5 && runner.update(folded)) folded.step();
   FoldRequest second;
-  second.where = Line{Vector2(0.01, 0.14), Vector2(0.14, 0.03)};
+  second.where = Segment{Vector2(0.01, 0.14), Vector2(0.14, 0.03)};
   second.angle = 1;
   for (auto _ : state) {
     state.PauseTiming();

@@ -1,9 +1,9 @@
 #include "bench/limit.h"
 
+#include <shell_origami/base/timer.h>
+#include <shell_origami/linear/cholesky.h>
 #include "bench/allocations.h"
 #include "bench/run.h"
-#include "dynamics/cholesky.h"
-#include "dynamics/timer.h"
 
 #include <cholmod.h>
 
@@ -92,17 +92,17 @@ std::vector<int> rowsBy(int vertex_order, const Shell& shell) {
 }
 
 /// The matrix of a step from where the paper is.
-SystemMatrix stepMatrix(const Simulation& simulation, const std::vector<int>& rows) {
+BlockMatrix stepMatrix(const Simulation& simulation, const std::vector<int>& rows) {
   const Shell& shell = simulation.shell();
   const Positions& x = simulation.positions();
   std::vector<FoldAngle> angles;
-  std::vector<HingeGradient> turns;
+  std::vector<HingeGradient> angle_gradients;
   std::vector<MembraneStrain> strains;
   shell.foldAngles(x, angles);
-  shell.turns(x, turns);
+  shell.angleGradients(x, angle_gradients);
   shell.strains(x, strains);
-  SystemMatrix matrix(shell, rows, shell.vertexCount());
-  shell.forEachHessian(x, angles, turns, strains, HessianKind::kExactWhereBent,
+  BlockMatrix matrix(shell, rows, shell.vertexCount());
+  shell.forEachHessian(x, angles, angle_gradients, strains, HessianKind::kExactWhereBent,
                        [&](int stencil, const auto& block) { matrix.add(stencil, block); });
   const double dt = simulation.config().solver.time_step;
   const double beta = 1.1 * 1.1 / 4;
@@ -129,7 +129,7 @@ FactorTimes timed(Numeric&& numeric, Solve&& solve) {
   return {median(numeric_times), median(solve_times)};
 }
 
-FactorTimes measure(const Setting& setting, const SystemMatrix& matrix) {
+FactorTimes measure(const Setting& setting, const BlockMatrix& matrix) {
   Common common;
   common.supernodal = CHOLMOD_SUPERNODAL;
   common.method[0].ordering = setting.order;
@@ -149,7 +149,7 @@ FactorTimes measure(const Setting& setting, const SystemMatrix& matrix) {
 }
 
 /// Multiplications and additions of a factorization in the matrix's own order.
-double flopsOf(const SystemMatrix& matrix) {
+double flopsOf(const BlockMatrix& matrix) {
   Common common;
   common.method[0].ordering = CHOLMOD_NATURAL;
   common.postorder = false;
@@ -159,7 +159,7 @@ double flopsOf(const SystemMatrix& matrix) {
   return common.fl;
 }
 
-void measureOwn(const SystemMatrix& matrix, Limit& limit) {
+void measureOwn(const BlockMatrix& matrix, Limit& limit) {
   Cholesky cholesky;
   cholesky.analyze(matrix);
   Eigen::VectorXd b = Eigen::VectorXd::Ones(matrix.size());
@@ -187,7 +187,7 @@ Limit measureLimit(const Simulation& simulation) {
     limit.setting = setting.name;
   }
   const VertexGraph graph(shell, natural(shell.vertexCount()), shell.vertexCount());
-  const SystemMatrix matrix = stepMatrix(simulation, rowsOf(eliminationOrder(graph)));
+  const BlockMatrix matrix = stepMatrix(simulation, rowsOf(eliminationOrder(graph)));
   measureOwn(matrix, limit);
   limit.flops = flopsOf(matrix);
   return limit;

@@ -2,7 +2,7 @@
 /// The least that an implicit step can cost: one factorization of its matrix, and one solve.
 #pragma once
 
-#include "origami/simulation.h"
+#include <shell_origami/origami/simulation.h>
 
 #include <string>
 

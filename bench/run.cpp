@@ -1,6 +1,6 @@
 #include "bench/run.h"
 
-#include "dynamics/timer.h"
+#include <shell_origami/base/timer.h>
 
 #include <malloc.h>
 

@@ -2,8 +2,8 @@
 /// A scene folded from beginning to end, and what that cost.
 #pragma once
 
+#include <shell_origami/origami/recipe.h>
 #include "bench/allocations.h"
-#include "origami/recipe.h"
 
 #include <benchmark/benchmark.h>
 

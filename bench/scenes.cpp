@@ -20,7 +20,7 @@ SheetSource square(double triangles) {
 
 Recipe firstFold(double triangles) {
   FoldRequest back;
-  back.where = Line{Vector2(0, 0), Vector2(kSide, kSide)};
+  back.where = Segment{Vector2(0, 0), Vector2(kSide, kSide)};
   back.angle = -170 * M_PI / 180;
   Recipe recipe;
   recipe.name = "first_fold";

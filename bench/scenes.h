@@ -2,7 +2,7 @@
 /// Named scenes: recipes, at any fineness of the sheet.
 #pragma once
 
-#include "origami/recipe.h"
+#include <shell_origami/origami/recipe.h>
 
 namespace shell_origami {
 

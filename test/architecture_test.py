@@ -1,17 +1,22 @@
 #!/usr/bin/python3
-"""The house's rules: no ROS outside src/node, and every folder includes only what stands above it."""
+"""The house's rules: the order of the rooms, no include circle, one spelling of includes, and what is
+allowed in one room alone."""
 import os
 import re
 import unittest
 
-SOURCE = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), 'src')
-ORDER = ['sheet', 'shell', 'dynamics', 'origami', 'node']
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+SOURCE = os.path.join(ROOT, 'src', 'shell_origami')
+# Each room includes itself and the rooms before it.
+ORDER = ['base', 'mesh', 'sheet', 'fold_format', 'energy', 'linear', 'dynamics', 'origami', 'node', 'tools']
 ROS = re.compile(r'(ros|roscpp|tf2|tf2_ros|tf2_eigen|actionlib|rosbag|dynamic_reconfigure|'
-                 r'diagnostic_updater|interactive_markers|shell_origami|\w+_msgs|\w+_srvs)/')
-INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+                 r'diagnostic_updater|interactive_markers|rviz|\w+_msgs|\w+_srvs)/')
+GENERATED = re.compile(r'shell_origami/[A-Z]\w*\.h$')  # a message, a service, an action or a configuration
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
 def sources(folder):
+    """Yields each source's path below SOURCE with the (quote, path) of its includes."""
     for root, _, files in os.walk(os.path.join(SOURCE, folder)):
         for name in sorted(files):
             if name.endswith(('.h', '.cpp')):
@@ -20,35 +25,70 @@ def sources(folder):
                     yield os.path.relpath(path, SOURCE), INCLUDE.findall(handle.read())
 
 
+def own(include):
+    """The included file of ours below SOURCE, or None."""
+    prefix = 'shell_origami/'
+    if include.startswith(prefix) and not GENERATED.match(include):
+        return include[len(prefix):]
+    return None
+
+
 class ArchitectureTest(unittest.TestCase):
-    def test_no_ros_header_outside_node(self):
+    def test_every_room_has_its_place(self):
+        self.assertEqual(sorted(ORDER), sorted(os.listdir(SOURCE)))
+
+    def test_rooms_include_only_those_before_them(self):
         seen = 0
-        for folder in os.listdir(SOURCE):
-            if folder == 'node':
+        for depth, room in enumerate(ORDER):
+            for path, includes in sources(room):
+                for _, include in includes:
+                    if own(include):
+                        seen += 1
+                        other = own(include).split('/')[0]
+                        self.assertIn(other, ORDER, path)
+                        self.assertLessEqual(ORDER.index(other), depth, '%s includes %s' % (path, include))
+        self.assertGreater(seen, 100)
+
+    def test_includes_have_one_spelling(self):
+        for path, includes in sources(''):
+            for quote, include in includes:
+                self.assertEqual(quote, '<', '%s includes "%s"' % (path, include))
+                if own(include):
+                    self.assertTrue(os.path.isfile(os.path.join(SOURCE, own(include))),
+                                    '%s includes %s' % (path, include))
+
+    def test_no_include_circle(self):
+        graph = {path: [own(include) for _, include in includes if own(include)]
+                 for path, includes in sources('')}
+        done = set()
+
+        def visit(path, trail):
+            self.assertNotIn(path, trail, 'circle: ' + ' -> '.join(trail + [path]))
+            if path not in done:
+                for other in graph[path]:
+                    visit(other, trail + [path])
+                done.add(path)
+
+        for path in graph:
+            visit(path, [])
+
+    def test_no_ros_outside_node(self):
+        for room in ORDER:
+            if room == 'node':
                 continue
-            for path, includes in sources(folder):
-                seen += 1
-                for include in includes:
+            for path, includes in sources(room):
+                for _, include in includes:
                     self.assertIsNone(ROS.match(include), '%s includes %s' % (path, include))
-        self.assertGreater(seen, 20)
+                    self.assertIsNone(GENERATED.match(include), '%s includes %s' % (path, include))
 
-    def test_dependencies_point_one_way(self):
-        for depth, folder in enumerate(ORDER):
-            for path, includes in sources(folder):
-                for include in includes:
-                    first = include.split('/')[0]
-                    if first in ORDER:
-                        self.assertLessEqual(ORDER.index(first), depth,
-                                             '%s includes %s' % (path, include))
-
-    def test_solver_and_triangulator_are_hidden(self):
-        for folder in ORDER:
-            for path, includes in sources(folder):
-                for include in includes:
-                    if include == 'cholmod.h':
-                        self.assertEqual(path, 'dynamics/cholesky.cpp')
-                    if include.startswith('CGAL/'):
-                        self.assertTrue(path.startswith('sheet/') and path.endswith('.cpp'), path)
+    def test_libraries_stay_in_their_rooms(self):
+        rooms = {'CGAL/': 'mesh/', 'cholmod': 'linear/', 'SuiteSparse': 'linear/', 'omp.h': 'linear/',
+                 'yaml-cpp/': 'origami/', 'rosbag/': 'node/record/'}
+        for path, includes in sources(''):
+            for _, include in includes:
+                for library, room in rooms.items():
+                    if include.startswith(library):
+                        self.assertTrue(path.startswith(room), '%s includes %s' % (path, include))
 
 
 if __name__ == '__main__':

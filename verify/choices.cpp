@@ -1,8 +1,8 @@
 /// \file
 /// The membranes and the crease laws side by side: what the defaults were chosen by.
-#include "sheet/fold_line.h"
-#include "sheet/triangulate.h"
-#include "shell/shell.h"
+#include <shell_origami/energy/shell.h>
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/sheet/fold_line.h>
 #include "verify/topics.h"
 
 #include <cmath>

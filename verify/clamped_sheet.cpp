@@ -1,6 +1,6 @@
 #include "verify/clamped_sheet.h"
 
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
 
 #include <algorithm>
 #include <cmath>

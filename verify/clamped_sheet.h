@@ -2,7 +2,7 @@
 /// A wide sheet clamped along one side, the plate that a cantilever stands for.
 #pragma once
 
-#include "origami/simulation.h"
+#include <shell_origami/origami/simulation.h>
 
 namespace shell_origami {
 

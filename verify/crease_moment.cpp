@@ -1,6 +1,6 @@
 /// Item 6: a crease held by a weight, M = c (phi - phi_rest) sec^2(theta / 2) with phi_rest = 0.
-#include "origami/simulation.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/origami/simulation.h>
 #include "verify/topics.h"
 
 #include <Eigen/Geometry>

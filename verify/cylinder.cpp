@@ -1,6 +1,6 @@
 /// Item 5: a sheet rolled to a cylinder stores B/2 kappa^2 per area.
-#include "origami/simulation.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/origami/simulation.h>
 #include "verify/topics.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "verify/derivatives.h"
 
-#include "shell/shell.h"
+#include <shell_origami/energy/shell.h>
 #include "verify/dual.h"
 #include "verify/topics.h"
 

@@ -3,8 +3,8 @@
 /// written down anew, from their definitions.
 #pragma once
 
-#include "shell/dihedral.h"
-#include "shell/membrane.h"
+#include <shell_origami/energy/dihedral.h>
+#include <shell_origami/energy/membrane.h>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 /// The heavy elastica: a cantilever under its own weight, however far it hangs.
 #pragma once
 
-#include "sheet/geometry.h"
+#include <shell_origami/base/geometry.h>
 
 #include <vector>
 

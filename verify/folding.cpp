@@ -1,7 +1,7 @@
 #include "verify/folding.h"
 
-#include "origami/recipe.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/origami/recipe.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 /// Sheets with creases, and how to fold them slowly: scenes of rigid folding.
 #pragma once
 
-#include "origami/simulation.h"
+#include <shell_origami/origami/simulation.h>
 
 #include <string>
 #include <utility>

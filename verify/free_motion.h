@@ -2,7 +2,7 @@
 /// Paper that nothing drives: the integrator alone, from any start.
 #pragma once
 
-#include "dynamics/stepper.h"
+#include <shell_origami/dynamics/stepper.h>
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 /// \file
 /// The three integrators on the same fold of the same paper: how long a step may be, and what a
 /// simulated second costs.
-#include "origami/simulation.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/origami/simulation.h>
 #include "verify/topics.h"
 
 #include <Eigen/Eigenvalues>
@@ -22,7 +22,7 @@ Simulation folding(const SolverConfig& solver, double max_edge) {
   config.solver = solver;
   Simulation simulation(Sheet(triangulateRectangle(kSide, kSide, max_edge)), config);
   FoldRequest fold;
-  fold.where = Line{Vector2(0, 0), Vector2(kSide, kSide)};
+  fold.where = Segment{Vector2(0, 0), Vector2(kSide, kSide)};
   fold.angle = kTarget;
   fold.duration = kDuration;
   simulation.fold(fold);

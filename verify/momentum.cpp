@@ -1,6 +1,6 @@
 /// Item 2: rigid motions cost nothing; floating paper keeps its momentum.
-#include "origami/simulation.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/origami/simulation.h>
 #include "verify/free_motion.h"
 #include "verify/topics.h"
 

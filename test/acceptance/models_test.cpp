@@ -1,6 +1,6 @@
 /// The recipes, those of Discrete Shells Origami, section 4, first: each comes to rest, with every
 /// crease whose folds are compatible at its target, and the paper whole.
-#include "origami/recipe.h"
+#include <shell_origami/origami/recipe.h>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

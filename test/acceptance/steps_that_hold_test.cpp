@@ -1,6 +1,6 @@
 /// What tears at paper: it ends finite, whole, and where it can, at rest.
-#include "origami/simulation.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/origami/simulation.h>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@ Simulation square(const SimulationConfig& config, double max_edge = 0.015) {
 
 FoldRequest diagonal(double angle, double duration) {
   FoldRequest request;
-  request.where = Line{Vector2(0, 0), Vector2(kSide, kSide)};
+  request.where = Segment{Vector2(0, 0), Vector2(kSide, kSide)};
   request.angle = angle;
   request.duration = duration;
   return request;
@@ -118,7 +118,7 @@ TEST(StepsThatHold, SettlesAtOnceWhereTimeWouldTakeIt) {
     Simulation simulation = square(config);
     simulation.pin(Region{{{0, 0}, {0.02, 0}, {0.02, kSide}, {0, kSide}}});
     FoldRequest fold;
-    fold.where = Line{Vector2(0.08, 0), Vector2(0.08, kSide)};
+    fold.where = Segment{Vector2(0.08, 0), Vector2(0.08, kSide)};
     fold.angle = 60 * kDegree;
     fold.duration = 0.2;
     simulation.fold(fold);

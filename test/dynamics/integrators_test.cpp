@@ -1,8 +1,8 @@
 /// What every integrator promises, on a small sheet.
-#include "dynamics/stepper.h"
+#include <shell_origami/dynamics/stepper.h>
 
-#include "sheet/fold_line.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/sheet/fold_line.h>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -133,10 +133,10 @@ TEST(Newmark, ExpectsAsMuchOfTheAccelerationToStayAsLastDid) {
     stepper.setTopology(paper.allFree());
     Carry nothing(Vector3::Zero(), start);
     ASSERT_TRUE(stepper.step(paper.shell, 0, nothing, paper.motion).converged);
-    EXPECT_EQ(paper.motion.steadiness, 1) << "there was no acceleration to keep";
+    EXPECT_EQ(paper.motion.acceleration_persistence, 1) << "there was no acceleration to keep";
     paper.shell.setGravity(part * gravity);
     ASSERT_TRUE(stepper.step(paper.shell, 0, nothing, paper.motion).converged);
-    EXPECT_NEAR(paper.motion.steadiness, std::clamp(part, 0.0, 1.0), 1e-6) << part;
+    EXPECT_NEAR(paper.motion.acceleration_persistence, std::clamp(part, 0.0, 1.0), 1e-6) << part;
   }
 }
 

@@ -1,8 +1,8 @@
-#include "../sheet/random_sheets.h"
-#include "fuzz.h"
-#include "origami/simulation.h"
-#include "sheet/triangulate.h"
-#include "whole.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/origami/simulation.h>
+#include "test/fuzz/fuzz.h"
+#include "test/fuzz/whole.h"
+#include "test/sheet/random_sheets.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,7 +1,7 @@
-#include "../sheet/random_sheets.h"
-#include "fuzz.h"
-#include "origami/recipe.h"
-#include "whole.h"
+#include <shell_origami/origami/recipe.h>
+#include "test/fuzz/fuzz.h"
+#include "test/fuzz/whole.h"
+#include "test/sheet/random_sheets.h"
 
 #include <cmath>
 #include <cstdio>
@@ -43,7 +43,7 @@ FoldStep randomFolds(RandomSheets& random, const SheetSource& sheet) {
     const auto point = [&] {
       return Vector2(random.between(0, sheet.width), random.between(0, sheet.height));
     };
-    fold.where = Line{point(), point()};
+    fold.where = Segment{point(), point()};
     fold.angle = random.between(-175, 175) * kDegree;
     step.folds.push_back(fold);
   }

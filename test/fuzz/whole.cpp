@@ -1,4 +1,4 @@
-#include "whole.h"
+#include "test/fuzz/whole.h"
 
 #include <Eigen/Geometry>
 

@@ -2,7 +2,7 @@
 /// What paper is at any time: finite, no triangle collapsed, no hinge past 180 degrees.
 #pragma once
 
-#include "origami/simulation.h"
+#include <shell_origami/origami/simulation.h>
 
 namespace shell_origami {
 

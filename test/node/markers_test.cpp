@@ -1,8 +1,8 @@
 // Sheets and states made by hand are drawn; what the colours of their triangles tell is looked at.
-#include "node/markers.h"
+#include <shell_origami/node/draw/markers.h>
 
-#include "sheet/fold_line.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/sheet/fold_line.h>
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ struct Drawn {
   }
 
   /// The colours of a side of the paper.
-  std::vector<std_msgs::ColorRGBA> colours(Colouring colouring,
+  std::vector<std_msgs::ColorRGBA> colours(Coloring colouring,
                                            const std::string& side = "front") const {
     MarkerPainter painter(false, colouring);
     painter.setSheet(sheet);
@@ -91,35 +91,34 @@ void expectColour(const std::vector<std_msgs::ColorRGBA>& colours, double value,
   for (const auto& c : colours) EXPECT_NEAR(redness(c), redness(value), tolerance);
 }
 
-TEST(Colouring, StretchedPaperIsRedAndSqueezedPaperBlue) {
+TEST(Coloring, StretchedPaperIsRedAndSqueezedPaperBlue) {
   for (const double strain : {1e-3, 1e-4, 5e-5, -5e-5, -1e-4, -1e-3}) {
     const Drawn drawn(paper(), [&](const Vector2& p) {
       return away({p.x() * std::sqrt(1 + 2 * strain), p.y(), 0});
     });
     for (const char* side : {"front", "back"}) {
-      expectColour(drawn.colours(Colouring::kStrain, side), strain / SheetColours::kFullStrain,
-                   0.1);
+      expectColour(drawn.colours(Coloring::kStrain, side), strain / SheetColours::kFullStrain, 0.1);
     }
-    const auto colours = drawn.colours(Colouring::kStrain);
+    const auto colours = drawn.colours(Coloring::kStrain);
     EXPECT_TRUE(strain > 0 ? redness(colours[0]) > 0.3 : redness(colours[0]) < -0.2) << strain;
   }
 }
 
-TEST(Colouring, TheLargerOfStretchAndSqueezeIsShown) {
+TEST(Coloring, TheLargerOfStretchAndSqueezeIsShown) {
   const Drawn drawn(
       paper(), [](const Vector2& p) { return Vector3(p.x() * (1 + 4e-5), p.y() * (1 - 1e-4), 0); });
-  expectColour(drawn.colours(Colouring::kStrain), -1, 0.1);
+  expectColour(drawn.colours(Coloring::kStrain), -1, 0.1);
 }
 
-TEST(Colouring, FlatPaperIsPaleWhereverItLies) {
-  for (const Colouring colouring : {Colouring::kStrain, Colouring::kCurvature}) {
+TEST(Coloring, FlatPaperIsPaleWhereverItLies) {
+  for (const Coloring colouring : {Coloring::kStrain, Coloring::kCurvature}) {
     expectColour(Drawn(paper(), flat).colours(colouring), 0, 1e-3);
     const Drawn moved(paper(), [](const Vector2& p) { return away(flat(p)); });
     expectColour(moved.colours(colouring), 0, 0.05);
   }
 }
 
-TEST(Colouring, ACylinderShowsItsCurvature) {
+TEST(Coloring, ACylinderShowsItsCurvature) {
   for (const double curvature : {10.0, -10.0}) {
     for (const double direction : {0.0, 0.4, 1.2, 2.5}) {
       const Vector2 along(std::cos(direction), std::sin(direction));
@@ -133,29 +132,29 @@ TEST(Colouring, ACylinderShowsItsCurvature) {
       }
       // A valley is blue.
       const double value = -curvature * kWidth / SheetColours::kFullCurvature;
-      expectColour(drawn.colours(Colouring::kCurvature), value, 0.02);
+      expectColour(drawn.colours(Coloring::kCurvature), value, 0.02);
     }
   }
 }
 
-TEST(Colouring, AFoldIsNoCurvature) {
+TEST(Coloring, AFoldIsNoCurvature) {
   Sheet folded = paper();
   makeFoldLine(folded, {Vector2(kWidth / 2, 0), Vector2(kWidth / 2, kHeight)});
   const Drawn drawn(folded, [](const Vector2& p) {
     const double beyond = std::max(0.0, p.x() - kWidth / 2);
     return Vector3(p.x() - beyond, p.y(), beyond);
   });
-  expectColour(drawn.colours(Colouring::kCurvature), 0, 1e-2);
-  expectColour(drawn.colours(Colouring::kStrain), 0, 0.05);
+  expectColour(drawn.colours(Coloring::kCurvature), 0, 1e-2);
+  expectColour(drawn.colours(Coloring::kStrain), 0, 0.05);
 }
 
-TEST(Colouring, PaperTellsItsSidesApart) {
+TEST(Coloring, PaperTellsItsSidesApart) {
   const Drawn drawn(paper(), flat);
-  for (const auto& c : drawn.colours(Colouring::kPaper, "front")) EXPECT_GT(redness(c), 0.7);
-  for (const auto& c : drawn.colours(Colouring::kPaper, "back")) EXPECT_LT(redness(c), 0.2);
+  for (const auto& c : drawn.colours(Coloring::kPaper, "front")) EXPECT_GT(redness(c), 0.7);
+  for (const auto& c : drawn.colours(Coloring::kPaper, "back")) EXPECT_LT(redness(c), 0.2);
 }
 
-TEST(Colouring, NonsenseHasColoursToo) {
+TEST(Coloring, NonsenseHasColoursToo) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   Drawn drawn(paper(), flat);
   drawn.state.positions[0] = Drawn::point({kNan, 0, 0});
@@ -163,7 +162,7 @@ TEST(Colouring, NonsenseHasColoursToo) {
   auto& degenerate = drawn.sheet.triangles[20].vertex_indices;
   degenerate[1] = degenerate[0];
   drawn.sheet.flat_positions[degenerate[2]] = drawn.sheet.flat_positions[degenerate[0]];
-  for (const Colouring colouring : {Colouring::kStrain, Colouring::kCurvature}) {
+  for (const Coloring colouring : {Coloring::kStrain, Coloring::kCurvature}) {
     const auto colours = drawn.colours(colouring);
     EXPECT_GT(colours.size(), 50u);
     for (const auto& c : colours) {

@@ -1,6 +1,6 @@
-#include "origami/simulation.h"
+#include <shell_origami/origami/simulation.h>
 
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
 
 #include <gtest/gtest.h>
 
@@ -93,7 +93,7 @@ TEST(HeldVertices, AFoldThroughThemMovesNothing) {
   const Pose pose = turnedBy(1, {3, 2, 1}, {0.1, 0.2, 0.3});
   const std::vector<int> held = simulation.pin(leftEdge(), "hand", pose);
   FoldRequest fold;
-  fold.where = Line{Vector2(0, 0.051), Vector2(kSide, 0.08)};
+  fold.where = Segment{Vector2(0, 0.051), Vector2(kSide, 0.08)};
   fold.angle = 1;
   simulation.fold(fold);
   const Positions before = simulation.positions();

@@ -1,4 +1,4 @@
-#include "origami/recipe.h"
+#include <shell_origami/origami/recipe.h>
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST_F(RecipeTest, LaysTheSheetWhereThePoseSays) {
       loadRecipe(write("sheet: {size: [0.1, 0.1], max_edge: 0.05, pose: {position: [1, 2, 3], "
                        "rpy_deg: [90, 0, 90]}}"));
   const Simulation simulation = makeSimulation(recipe.sheet, recipe.config);
-  // Roll 90: the sheet's y points up; then yaw 90: its x points along the world's y.
+  // NaturalCurvature 90: the sheet's y points up; then yaw 90: its x points along the world's y.
   for (int v = 0; v < simulation.sheet().vertexCount(); ++v) {
     const Vector2 flat = simulation.sheet().flatPositions()[v];
     EXPECT_LT((simulation.positions().col(v) - Vector3(1, 2 + flat.x(), 3 + flat.y())).norm(),

@@ -1,7 +1,7 @@
-#include "origami/report.h"
-#include "origami/mesh_file.h"
-#include "sheet/fold_file.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/fold_format/fold_file.h>
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/origami/mesh_file.h>
+#include <shell_origami/origami/report.h>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -49,7 +49,8 @@ class Report : public testing::Test {
   void SetUp() override {
     folder_ = fs::path(testing::TempDir()) / ("report_test." + std::to_string(getpid()));
     fs::create_directories(folder_);
-    FoldRequest fold{Line{Vector2(0.05, 0), Vector2(0.05, 0.1)}, 0.5, 0.05, std::nullopt, "spine"};
+    FoldRequest fold{Segment{Vector2(0.05, 0), Vector2(0.05, 0.1)}, 0.5, 0.05, std::nullopt,
+                     "spine"};
     simulation_.fold(fold);
     for (int i = 0; i < 6; ++i) ASSERT_TRUE(simulation_.step().converged);
   }

@@ -1,6 +1,6 @@
-#include "origami/simulation.h"
+#include <shell_origami/origami/simulation.h>
 
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ Simulation square(const SimulationConfig& config = {}, double max_edge = 0.02) {
 
 FoldRequest diagonal(double angle, double duration = 0.5) {
   FoldRequest request;
-  request.where = Line{Vector2(0, 0), Vector2(kSide, kSide)};
+  request.where = Segment{Vector2(0, 0), Vector2(kSide, kSide)};
   request.angle = angle;
   request.duration = duration;
   return request;
@@ -112,7 +112,7 @@ TEST(Simulation, SameCallsGiveTheSameBits) {
     simulation.fold(diagonal(160 * kDegree));
     for (int i = 0; i < 40; ++i) simulation.step();
     FoldRequest second = diagonal(-60 * kDegree);
-    second.where = Line{Vector2(0.02, 0.12), Vector2(0.14, 0.05)};
+    second.where = Segment{Vector2(0.02, 0.12), Vector2(0.14, 0.05)};
     simulation.fold(second);
     for (int i = 0; i < 40; ++i) simulation.step();
     return simulation.positions();
@@ -264,7 +264,7 @@ TEST(Simulation, EditsOnBentPaperKeepItsShape) {
   settle(simulation);
   const double energy = simulation.energies().membrane + simulation.energies().bending;
   FoldRequest second;
-  second.where = Line{Vector2(0, 0.04), Vector2(kSide, 0.1)};
+  second.where = Segment{Vector2(0, 0.04), Vector2(kSide, 0.1)};
   second.angle = 1;
   simulation.fold(second);
   simulation.sheet().validate();
@@ -295,7 +295,7 @@ TEST(Simulation, RefusedEditsChangeNothing) {
     bad.back().where = VertexPair{pair};
   }
   bad.push_back(diagonal(1));
-  bad.back().where = Line{Vector2(0, 0), Vector2(1, 1)};
+  bad.back().where = Segment{Vector2(0, 0), Vector2(1, 1)};
   for (const FoldRequest& request : bad) {
     EXPECT_THROW(simulation.fold(request), std::invalid_argument);
   }
@@ -343,7 +343,7 @@ TEST(Simulation, APiecePartOfACreaseKeepsItsRamp) {
   simulation.fold(diagonal(90 * kDegree));
   settle(simulation);
   FoldRequest tip = diagonal(-90 * kDegree);
-  tip.where = Line{Vector2(0.1, 0.1), Vector2(kSide, kSide)};
+  tip.where = Segment{Vector2(0.1, 0.1), Vector2(kSide, kSide)};
   tip.name = "tip";
   simulation.fold(tip);
   ASSERT_EQ(simulation.creases().size(), 2u);

@@ -1,6 +1,6 @@
-#include "origami/recipe.h"
+#include <shell_origami/origami/recipe.h>
 
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ void run(Simulation& simulation, int steps) {
 
 FoldRequest along(const Vector2& a, const Vector2& b, double angle) {
   FoldRequest fold;
-  fold.where = Line{a, b};
+  fold.where = Segment{a, b};
   fold.angle = angle;
   fold.duration = 0.4;
   return fold;
@@ -147,7 +147,7 @@ TEST(Snapshot, WhatIsNoPaperIsRefused) {
       {"/sheet/next_crease_id", 0},
       {"/positions/7", "here"},
       {"/positions", {1, 2, 3}},
-      {"/steadiness", "half"},
+      {"/acceleration_persistence", "half"},
       {"/creases/ramps", Json::array()},
       {"/creases/ramps/0/1", nullptr},
       {"/rest/set", {1.0}},

@@ -1,7 +1,7 @@
 /// Ten thousand random folds on random sheets: rectangles, an L, a ring, a star, one with slits.
-#include "random_sheets.h"
-#include "sheet/fold_line.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/sheet/fold_line.h>
+#include "test/sheet/random_sheets.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ TEST(EdgeMaking, TenThousandRandomFoldsKeepTheSheetWhole) {
     const double area = sheet.area(), border = borderLength(sheet);
     const int count = 1 + random.below(12);
     for (int i = 0; i < count; ++i) {
-      const Line line = random.line(sheet);
+      const Segment line = random.line(sheet);
       ++folds;
       SCOPED_TRACE(testing::Message() << "fold " << folds);
       try {

@@ -1,7 +1,7 @@
-#include "sheet/fold_line.h"
+#include <shell_origami/sheet/fold_line.h>
 
-#include "sheet/material_mesh.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/material_mesh.h>
+#include <shell_origami/mesh/triangulate.h>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,9 @@ constexpr double kSide = 0.15;
 
 Sheet square(double max_edge = 0.02) { return Sheet(triangulateRectangle(kSide, kSide, max_edge)); }
 
-Line line(double x0, double y0, double x1, double y1) { return {Vector2(x0, y0), Vector2(x1, y1)}; }
+Segment line(double x0, double y0, double x1, double y1) {
+  return {Vector2(x0, y0), Vector2(x1, y1)};
+}
 
 double length(const Sheet& sheet, const std::vector<int>& polyline) {
   double sum = 0;
@@ -203,9 +205,9 @@ TEST(FoldLine, RefusesWhatMakesNoSenseAndLeavesTheSheet) {
   makeFoldLine(sheet, line(0, 0, kSide, kSide));
   const Sheet before = sheet;
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
-  for (const Line& bad : {line(0.05, 0.05, 0.05, 0.05), line(-0.01, 0, 0.1, 0.1),
-                          line(0, 0, 0.2, 0.2), line(nan, 0, 0.1, 0.1), line(0, 0, infinity, 0.1),
-                          line(0, 0, kSide, 0), line(1, 1, 2, 2)}) {
+  for (const Segment& bad : {line(0.05, 0.05, 0.05, 0.05), line(-0.01, 0, 0.1, 0.1),
+                             line(0, 0, 0.2, 0.2), line(nan, 0, 0.1, 0.1),
+                             line(0, 0, infinity, 0.1), line(0, 0, kSide, 0), line(1, 1, 2, 2)}) {
     EXPECT_THROW(makeFoldLine(sheet, bad), std::invalid_argument);
   }
   EXPECT_EQ(sheet.revision(), before.revision());

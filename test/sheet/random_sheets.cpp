@@ -1,7 +1,7 @@
-#include "random_sheets.h"
+#include "test/sheet/random_sheets.h"
 
-#include "sheet/cuts.h"
-#include "sheet/mesh_refine.h"
+#include <shell_origami/mesh/cuts.h>
+#include <shell_origami/mesh/mesh_refine.h>
 
 #include <Eigen/Geometry>
 
@@ -89,9 +89,9 @@ Vector2 RandomSheets::point(const Sheet& sheet) {
   }
 }
 
-Line RandomSheets::line(const Sheet& sheet) {
+Segment RandomSheets::line(const Sheet& sheet) {
   for (;;) {
-    const Line line{point(sheet), point(sheet)};
+    const Segment line{point(sheet), point(sheet)};
     if ((line[0] - line[1]).norm() > 1e-6) return line;
   }
 }

@@ -3,8 +3,8 @@
 /// what no edit of one may change.
 #pragma once
 
-#include "sheet/sheet.h"
-#include "sheet/triangulate.h"
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/sheet/sheet.h>
 
 #include <random>
 
@@ -29,7 +29,7 @@ class RandomSheets {
   /// Anywhere on the paper, three times in ten at a vertex.
   Vector2 point(const Sheet& sheet);
   /// Between two such points that are not the same.
-  Line line(const Sheet& sheet);
+  Segment line(const Sheet& sheet);
 
  private:
   std::mt19937 random_;

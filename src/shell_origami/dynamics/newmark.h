@@ -1,0 +1,23 @@
+/// \file
+/// Implicit Newmark (Newmark 1959; Discrete Shells Origami, figure 4).
+#pragma once
+
+#include <shell_origami/dynamics/implicit_solver.h>
+
+namespace shell_origami {
+
+/// Second order at beta = 1/4, gamma = 1/2, where it conserves energy; above gamma = 1/2 it damps.
+class Newmark : public Integrator {
+ public:
+  Newmark(const SolverConfig& config, ImplicitSolver& solver);
+  bool step(const Loading& loading, double dt, Motion& motion, StepReport& report) override;
+
+ private:
+  double beta_, gamma_;
+  ImplicitSolver& solver_;
+  // Scratch, kept between steps.
+  Positions predicted_, velocity_, velocity_before_, acceleration_before_, start_, x_;
+  Inertia inertia_;
+};
+
+}  // namespace shell_origami

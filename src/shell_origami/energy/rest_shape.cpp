@@ -1,0 +1,86 @@
+#include <shell_origami/energy/rest_shape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace shell_origami {
+namespace {
+
+/// Paper is not pressed shut: it rests short of 180 degrees.
+constexpr double kLastSet = 170 * M_PI / 180;
+
+/// Where a flat point is when the sheet is rolled up.
+Vector3 rolledUp(const Vector2& flat, const NaturalCurvature& roll) {
+  const Vector2 axis(std::cos(roll.axis), std::sin(roll.axis));
+  const Vector2 around(axis.y(), -axis.x());
+  const double angle = roll.curvature * around.dot(flat);
+  Vector3 place;
+  place.head<2>() = axis.dot(flat) * axis + std::sin(angle) / roll.curvature * around;
+  place.z() = (1 - std::cos(angle)) / roll.curvature;
+  return place;
+}
+
+}  // namespace
+
+RestShape::RestShape(const NaturalCurvature& roll, const Sheet& sheet)
+    : RestShape(roll, sheet, std::vector<double>(sheet.edges().size()),
+                std::vector<double>(sheet.edges().size())) {}
+
+RestShape::RestShape(const NaturalCurvature& roll, const Sheet& sheet, std::vector<double> set,
+                     std::vector<double> plastic)
+    : roll_(roll), set_(std::move(set)), plastic_(std::move(plastic)) {
+  this->roll(sheet);
+}
+
+void RestShape::roll(const Sheet& sheet) {
+  rolled_.assign(sheet.edges().size(), 0);
+  if (roll_.curvature == 0) return;
+  for (std::size_t j = 0; j < sheet.edges().size(); ++j) {
+    const Edge& edge = sheet.edges()[j];
+    if (edge.onBorder()) continue;
+    const auto at = [&](int v) { return rolledUp(sheet.flatPositions()[v], roll_); };
+    rolled_[j] = foldAngle({at(edge.vertices[0]), at(edge.vertices[1]), at(edge.opposite[0]),
+                            at(edge.opposite[1])})
+                     .radians;
+  }
+}
+
+void RestShape::apply(Shell& shell) const {
+  for (int j = 0; j < static_cast<int>(shell.hinges().size()); ++j) {
+    const Hinge& hinge = shell.hinges()[j];
+    if (hinge.crease < 0) shell.setRestAngle(j, rolled_[hinge.edge] + set_[hinge.edge]);
+  }
+}
+
+void RestShape::follow(const Remap& remap, const Sheet& after) {
+  const auto follow = [&remap](std::vector<double>& values) {
+    std::vector<double> followed;
+    for (int edge : remap.edges) followed.push_back(edge == Remap::kNone ? 0 : values[edge]);
+    values = std::move(followed);
+  };
+  follow(set_);
+  follow(plastic_);
+  roll(after);
+}
+
+void RestShape::yield(const Material& material, const Positions& positions, Shell& shell) {
+  if (material.yield_curvature == 0) return;
+  for (int j = 0; j < static_cast<int>(shell.hinges().size()); ++j) {
+    const Hinge& hinge = shell.hinges()[j];
+    if (hinge.crease >= 0) continue;
+    const double bend = shell.foldAngle(j, positions) - hinge.rest_angle.radians;
+    const double limit =
+        std::max(0.0, material.yield_curvature + material.hardening * plastic_[hinge.edge]);
+    const double excess = std::abs(bend) / hinge.width - limit;
+    if (excess <= 0) continue;
+    const double flow = std::min(excess / (1 + material.hardening), std::abs(bend) / hinge.width);
+    plastic_[hinge.edge] += flow;
+    double& set = set_[hinge.edge];
+    set = std::clamp(set + std::copysign(flow * hinge.width, bend), -kLastSet - rolled_[hinge.edge],
+                     kLastSet - rolled_[hinge.edge]);
+    shell.setRestAngle(j, rolled_[hinge.edge] + set);
+  }
+}
+
+}  // namespace shell_origami

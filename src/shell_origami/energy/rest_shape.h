@@ -1,0 +1,49 @@
+/// \file
+/// The shape that paper without load takes, apart from its creases: flat, rolled, or as it was bent
+/// beyond yield.
+#pragma once
+
+#include <shell_origami/energy/shell.h>
+#include <shell_origami/sheet/remap.h>
+
+#include <vector>
+
+namespace shell_origami {
+
+/// A sheet that rests rolled up into a cylinder.
+struct NaturalCurvature {
+  double curvature = 0;  ///< [1/m], positive towards the front (+z of the flat sheet); 0: flat
+  double axis = 0;       ///< direction of the cylinder's axis on the flat sheet, from x [rad]
+};
+
+/// Rest angles of the ordinary hinges, one for each edge of the sheet.
+class RestShape {
+ public:
+  RestShape() = default;
+  RestShape(const NaturalCurvature& roll, const Sheet& sheet);
+  /// One that yielded before: see set() and plastic(), one of each for an edge.
+  RestShape(const NaturalCurvature& roll, const Sheet& sheet, std::vector<double> set,
+            std::vector<double> plastic);
+
+  const std::vector<double>& set() const { return set_; }
+  const std::vector<double>& plastic() const { return plastic_; }
+
+  /// Gives the shell's ordinary hinges their rest angles.
+  void apply(Shell& shell) const;
+  /// Carries what yielding left over an edit: a part of an edge keeps that edge's.
+  void follow(const Remap& remap, const Sheet& after);
+  /// Return map: where a hinge is bent further from rest than the yield curvature, the excess
+  /// becomes rest, up to the hardening, and the shell gets the new rest angles. The curvature of a
+  /// hinge is its angle over two thirds of its triangles' mean height, the distance between them.
+  void yield(const Material& material, const Positions& positions, Shell& shell);
+
+ private:
+  void roll(const Sheet& sheet);
+
+  NaturalCurvature roll_;
+  std::vector<double> rolled_;   ///< rest angle of the roll, one an edge [rad]
+  std::vector<double> set_;      ///< what yielding added to it [rad]
+  std::vector<double> plastic_;  ///< curvature yielded so far, either way [1/m]
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,294 @@
+#include <shell_origami/energy/shell.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shell_origami {
+namespace {
+
+/// Creases rest on this side of 180 degrees; what swings further is stopped by the energy, which
+/// grows without bound, before it comes to the last angle.
+constexpr double kLastRestAngle = 179 * M_PI / 180;
+constexpr double kLastAngle = 179.99 * M_PI / 180;
+/// A step of the search takes at most this part of the way to the last angle.
+constexpr double kPartOfRoom = 0.9;
+/// No hinge may turn by more than this in one step of the search.
+constexpr double kLargestTurn = 1;
+/// A hinge this close to rest has a Gauss-Newton Hessian that is right to as many parts [rad].
+constexpr double kNearRest = 1e-3;
+/// A triangle squeezed below this part of its flat area has collapsed.
+constexpr double kCollapsed = 0.05;
+
+double heightOn(const Vector2& a, const Vector2& b, const Vector2& apex) {
+  return std::abs(doubleArea(a, b, apex)) / (b - a).norm();
+}
+
+/// The rest angle [rad], held short of 180 degrees.
+FoldAngle restAngle(double asked) { return std::clamp(asked, -kLastRestAngle, kLastRestAngle); }
+
+bool passedShut(const FoldAngle& theta, const FoldAngle& before) {
+  return std::abs(theta.radians) > kLastAngle && std::abs(theta.radians) > std::abs(before.radians);
+}
+
+bool jumped(const FoldAngle& theta, const FoldAngle& before) {
+  return std::abs(theta.radians - before.radians) > 2 * kLargestTurn;
+}
+
+}  // namespace
+
+Shell::Shell(const Sheet& sheet, const Material& material, const Vector3& gravity)
+    : triangles_(sheet.triangles()),
+      crease_hinges_(sheet.creases().size()),
+      masses_(Eigen::VectorXd::Zero(sheet.vertexCount())),
+      gravity_(gravity) {
+  const auto& flat = sheet.flatPositions();
+  if (material.membrane == MembraneKind::kDiscreteShells) {
+    membranes_.emplace<std::vector<EdgeAreaMembrane>>();
+  }
+  for (const Triangle& t : triangles_) {
+    const std::array<Vector2, 3> corners{flat[t[0]], flat[t[1]], flat[t[2]]};
+    std::visit([&](auto& membranes) { membranes.emplace_back(corners, material); }, membranes_);
+    const double area = doubleArea(flat[t[0]], flat[t[1]], flat[t[2]]) / 2;
+    for (int v : t) masses_[v] += material.arealDensity() * area / 3;
+  }
+  for (std::size_t i = 0; i < sheet.edges().size(); ++i) {
+    const Edge& edge = sheet.edges()[i];
+    if (edge.onBorder()) continue;
+    const auto [a, b] = edge.vertices;
+    Hinge hinge;
+    hinge.vertices = {a, b, edge.opposite[0], edge.opposite[1]};
+    hinge.length = (flat[b] - flat[a]).norm();
+    hinge.width = (heightOn(flat[a], flat[b], flat[edge.opposite[0]]) +
+                   heightOn(flat[a], flat[b], flat[edge.opposite[1]])) /
+                  3;
+    hinge.edge = static_cast<int>(i);
+    hinge.crease = edge.crease;
+    if (edge.crease >= 0) {
+      crease_hinges_[edge.crease].push_back(static_cast<int>(hinges_.size()));
+    } else {
+      // W = k (phi - rest)^2 |e| / h_e with k = B / 6 and h_e a third of the mean height: the
+      // plate's bending energy, in every direction on an equilateral mesh. h_e is half the width.
+      hinge.stiffness = 2 * material.bendingStiffness() / 6 * hinge.length / (hinge.width / 2);
+    }
+    hinges_.push_back(hinge);
+  }
+  if (!material.crease_height_term) return;
+  for (const Hinge& hinge : hinges_) {
+    crease_width_ += hinge.width / static_cast<double>(hinges_.size());
+  }
+}
+
+void Shell::setRestAngle(int hinge, double rest_angle) {
+  hinges_[hinge].rest_angle = restAngle(rest_angle);
+}
+
+void Shell::setCrease(int crease, double rest_angle, double stiffness) {
+  const FoldAngle rest = restAngle(rest_angle);
+  for (int j : crease_hinges_[crease]) {
+    hinges_[j].rest_angle = rest;
+    const double part = crease_width_ > 0 ? crease_width_ / hinges_[j].width : 1;
+    hinges_[j].stiffness = stiffness * part * hinges_[j].length;
+  }
+}
+
+TrianglePoints Shell::pointsOf(const Triangle& t, const Positions& x) const {
+  return {x.col(t[0]), x.col(t[1]), x.col(t[2])};
+}
+
+HingePoints Shell::pointsOf(const Hinge& h, const Positions& x) const {
+  return {x.col(h.vertices[0]), x.col(h.vertices[1]), x.col(h.vertices[2]), x.col(h.vertices[3])};
+}
+
+double Shell::membraneEnergy(const Positions& x) const {
+  double energy = 0;
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          energy += membranes[i].energy(pointsOf(triangles_[i], x));
+        }
+      },
+      membranes_);
+  return energy;
+}
+
+double Shell::bendingEnergy(const Positions& x) const {
+  double energy = 0;
+  for (const Hinge& hinge : hinges_) {
+    const double bend = hinge.bend(shell_origami::foldAngle(pointsOf(hinge, x))).value;
+    energy += hinge.stiffness / 2 * bend * bend;
+  }
+  return energy;
+}
+
+double Shell::gravityEnergy(const Positions& x) const { return 0 - gravity_.dot(x * masses_); }
+
+double Shell::foldAngle(int hinge, const Positions& x) const {
+  return shell_origami::foldAngle(pointsOf(hinges_[hinge], x)).radians;
+}
+
+double Shell::moment(int hinge, double theta) const {
+  const Hinge& h = hinges_[hinge];
+  const Bend bend = h.bend(theta);
+  return -h.stiffness / h.length * bend.value * bend.first;
+}
+
+void Shell::foldAngles(const Positions& x, std::vector<FoldAngle>& angles) const {
+  angles.resize(hinges_.size());
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    angles[j] = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+  }
+}
+
+double Shell::energy(const Positions& x, const std::vector<FoldAngle>& before,
+                     std::vector<FoldAngle>& angles) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double energy = gravityEnergy(x);
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          const TrianglePoints points = pointsOf(triangles_[i], x);
+          if (!(membranes[i].areaRatio(points) > kCollapsed)) energy = kInfinity;
+          energy += membranes[i].energy(points);
+        }
+      },
+      membranes_);
+  if (!(energy < kInfinity)) return kInfinity;
+  angles.resize(hinges_.size());
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    angles[j] = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+    if (passedShut(angles[j], before[j]) || jumped(angles[j], before[j])) return kInfinity;
+    const double bend = hinges_[j].bend(angles[j]).value;
+    energy += hinges_[j].stiffness / 2 * bend * bend;
+  }
+  return energy;
+}
+
+std::optional<Infeasibility> Shell::findInfeasibility(const Positions& x,
+                                                      const std::vector<FoldAngle>& angles) const {
+  for (int v = 0; v < vertexCount(); ++v) {
+    if (!x.col(v).allFinite()) return Infeasibility{"a position is not finite", v};
+  }
+  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+    const TrianglePoints points = pointsOf(triangles_[i], x);
+    const bool collapsed = std::visit(
+        [&](const auto& membranes) { return !(membranes[i].areaRatio(points) > kCollapsed); },
+        membranes_);
+    if (collapsed) return Infeasibility{"a triangle would collapse", triangles_[i][0]};
+  }
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    const FoldAngle theta = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+    const int v = hinges_[j].vertices[0];
+    if (passedShut(theta, angles[j])) return Infeasibility{"a hinge would pass 180 degrees", v};
+    if (jumped(theta, angles[j])) return Infeasibility{"a hinge would jump", v};
+  }
+  return std::nullopt;
+}
+
+std::optional<Infeasibility> Shell::findJump(const std::vector<FoldAngle>& before,
+                                             const std::vector<FoldAngle>& angles) const {
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    if (jumped(angles[j], before[j]))
+      return Infeasibility{"a hinge would jump", hinges_[j].vertices[0]};
+  }
+  return std::nullopt;
+}
+
+void Shell::angleGradients(const Positions& x, std::vector<HingeGradient>& angle_gradients) const {
+  angle_gradients.resize(hinges_.size());
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    angle_gradients[j] = foldAngleGradient(pointsOf(hinges_[j], x));
+  }
+}
+
+void Shell::strains(const Positions& x, std::vector<MembraneStrain>& strains) const {
+  strains.resize(triangles_.size());
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          strains[i] = membranes[i].strain(pointsOf(triangles_[i], x));
+        }
+      },
+      membranes_);
+}
+
+void Shell::strainsAfter(const Positions& x, const Positions& displacement,
+                         std::vector<MembraneStrain>& strains) const {
+  strains.resize(triangles_.size());
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          strains[i] = membranes[i].strainAfter(pointsOf(triangles_[i], x),
+                                                pointsOf(triangles_[i], displacement));
+        }
+      },
+      membranes_);
+}
+
+void Shell::addGradient(const Positions& x, const std::vector<FoldAngle>& angles,
+                        const std::vector<HingeGradient>& angle_gradients,
+                        Positions& gradient) const {
+  gradient.noalias() -= gravity_ * masses_.transpose();
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          const MembraneGradient g = membranes[i].gradient(pointsOf(triangles_[i], x));
+          for (int k = 0; k < 3; ++k) gradient.col(triangles_[i][k]) += g.segment<3>(3 * k);
+        }
+      },
+      membranes_);
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    const Hinge& hinge = hinges_[j];
+    const Bend bend = hinge.bend(angles[j]);
+    const double torque = hinge.stiffness * bend.value * bend.first;
+    for (int k = 0; k < 4; ++k) {
+      gradient.col(hinge.vertices[k]) += torque * angle_gradients[j].segment<3>(3 * k);
+    }
+  }
+}
+
+void Shell::addGradient(const Positions& x, Positions& gradient) const {
+  std::vector<FoldAngle> angles;
+  std::vector<HingeGradient> angle_gradients;
+  foldAngles(x, angles);
+  this->angleGradients(x, angle_gradients);
+  addGradient(x, angles, angle_gradients, gradient);
+}
+
+bool Shell::nearRest(const Hinge& hinge, const FoldAngle& theta) {
+  return std::abs(theta.radians - hinge.rest_angle.radians) < kNearRest;
+}
+
+// psi'' grad(theta) grad(theta)^T; where psi'' is small or negative its convex part stands in.
+RankOne Shell::gaussNewton(const Hinge& hinge, const FoldAngle& theta,
+                           const HingeGradient& turn) const {
+  const Bend bend = hinge.bend(theta);
+  const double convex = bend.first * bend.first;
+  return {hinge.stiffness * std::max(convex, convex + bend.value * bend.second), turn};
+}
+
+HingeHessian Shell::exactHessian(const Hinge& hinge, const FoldAngle& theta,
+                                 const HingeGradient& turn, const HingePoints& points) const {
+  const Bend bend = hinge.bend(theta);
+  const double first = hinge.stiffness * bend.value * bend.first;
+  const double second = hinge.stiffness * (bend.first * bend.first + bend.value * bend.second);
+  return first * foldAngleHessian(points) + second * turn * turn.transpose();
+}
+
+double Shell::maxFeasibleStep(const std::vector<FoldAngle>& angles,
+                              const std::vector<HingeGradient>& angle_gradients,
+                              const Positions& step) const {
+  double fraction = 1;
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    double turn = 0;
+    for (int k = 0; k < 4; ++k) {
+      turn += angle_gradients[j].segment<3>(3 * k).dot(step.col(hinges_[j].vertices[k]));
+    }
+    if (std::abs(turn) * fraction > kLargestTurn) fraction = kLargestTurn / std::abs(turn);
+    const double room = kPartOfRoom * (kLastAngle - std::copysign(1.0, turn) * angles[j].radians);
+    if (room > 0 && std::abs(turn) * fraction > room) fraction = room / std::abs(turn);
+  }
+  return fraction;
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,251 @@
+#include <shell_origami/fold_format/fold_document.h>
+
+#include <shell_origami/base/error.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+namespace shell_origami {
+namespace {
+
+using nlohmann::json;
+
+std::string readText(const std::string& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status)) reject("cannot be read: it is a folder");
+  // A pipe may never say a word, and /dev/zero never ends.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    reject("cannot be read: it is no plain file");
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file.good() && !file.eof()) {
+    reject("cannot be read: ", errno != 0 ? std::strerror(errno) : "unknown reason");
+  }
+  return text;
+}
+
+json parse(const std::string& text) {
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    const std::size_t byte = std::min<std::size_t>(error.byte, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + byte, '\n');
+    reject("is not JSON from line ", line, " (byte ", error.byte, ") on");
+  } catch (const json::exception&) {
+    reject("is not JSON that can be read: a number is out of range");
+  }
+}
+
+/// Where in the file: key[index].
+std::string place(const std::string& key, std::size_t index) {
+  return key + "[" + std::to_string(index) + "]";
+}
+
+/// A value as it stands in the file, cut short when it is long.
+std::string shown(const json& value) {
+  const std::string text = value.dump();
+  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+double readNumber(const json& value, const std::string& where) {
+  if (!value.is_number()) reject(where, " is ", shown(value), ", not a number");
+  return value.get<double>();
+}
+
+int readVertex(const json& value, int vertex_count, const std::string& where) {
+  if (!value.is_number_integer()) reject(where, " holds ", shown(value), ", not a vertex");
+  // Beyond 64 bits the parser has made a float of it.
+  const bool huge = value.is_number_unsigned() &&
+                    value.get<std::uint64_t>() > std::numeric_limits<std::int32_t>::max();
+  if (huge || value.get<std::int64_t>() < 0 || value.get<std::int64_t>() >= vertex_count) {
+    reject(where, " names vertex ", shown(value), ", but there are ", vertex_count);
+  }
+  return value.get<int>();
+}
+
+std::vector<int> readVertices(const json& value, int vertex_count, std::size_t least,
+                              const std::string& where) {
+  if (!value.is_array() || value.size() < least) {
+    reject(where, " is no list of at least ", least, " vertices");
+  }
+  std::vector<int> vertices;
+  for (const json& item : value) vertices.push_back(readVertex(item, vertex_count, where));
+  return vertices;
+}
+
+double radians(double degrees) { return degrees / 180 * M_PI; }
+
+/// \throws std::invalid_argument beyond a full fold
+double readAngle(const json& value, const std::string& where) {
+  if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  const double degrees = readNumber(value, where);
+  if (!(std::abs(degrees) <= 180)) reject(where, " is ", degrees, ", beyond 180 degrees");
+  return radians(degrees);
+}
+
+}  // namespace
+
+FoldDocument::FoldDocument(const std::string& path) : root_(parse(readText(path))) {
+  if (!root_.is_object()) reject("is not a FOLD file: its JSON is no object");
+  frames_.push_back(&root_);
+  parents_.push_back(-1);
+  const auto found = root_.find("file_frames");
+  if (found == root_.end()) return;
+  if (!found->is_array()) reject("file_frames is no list");
+  const int count = 1 + static_cast<int>(found->size());
+  for (const json& frame : *found) {
+    const std::string name = frameName(frameCount());
+    if (!frame.is_object()) reject(name, " is no object");
+    const bool inherits = frame.contains("frame_inherit") && frame["frame_inherit"] == true;
+    int parent = inherits ? 0 : -1;
+    if (inherits && frame.contains("frame_parent")) {
+      const json& value = frame["frame_parent"];
+      if (!value.is_number_integer() || value < 0 || value >= count) {
+        reject(name, " has frame_parent ", shown(value), ", which is no frame");
+      }
+      parent = value.get<int>();
+    }
+    frames_.push_back(&frame);
+    parents_.push_back(parent);
+  }
+}
+
+const json* FoldDocument::find(int frame, const char* key) const {
+  // As many steps as there are frames: more means that frames inherit in a circle.
+  for (int steps = 0; frame >= 0; ++steps) {
+    if (steps > frameCount()) reject(frameName(frame), " inherits from itself");
+    const auto found = frames_[frame]->find(key);
+    if (found != frames_[frame]->end()) return &*found;
+    frame = parents_[frame];
+  }
+  return nullptr;
+}
+
+const json* FoldDocument::findArray(int frame, const char* key) const {
+  const json* value = find(frame, key);
+  if (value && !value->is_array()) reject(key, " is no list");
+  return value;
+}
+
+bool FoldDocument::hasClass(int frame, const char* name) const {
+  const json* classes = find(frame, "frame_classes");
+  return classes && classes->is_array() &&
+         std::find(classes->begin(), classes->end(), name) != classes->end();
+}
+
+std::string FoldDocument::unit(int frame) const {
+  const json* value = find(frame, "frame_unit");
+  if (!value) return "unit";
+  if (!value->is_string()) reject("frame_unit is ", shown(*value), ", not a word");
+  return value->get<std::string>();
+}
+
+std::string FoldDocument::frameName(int frame) {
+  return frame == 0 ? "the key frame" : place("file_frames", frame - 1);
+}
+
+std::vector<Vector3> FoldDocument::points(int frame) const {
+  std::vector<Vector3> points;
+  const json* list = findArray(frame, "vertices_coords");
+  if (!list) return points;
+  for (const json& item : *list) {
+    const std::string where = place("vertices_coords", points.size());
+    if (!item.is_array() || item.size() < 2 || item.size() > 3) {
+      reject(where, " is ", shown(item), ", not two or three numbers");
+    }
+    Vector3 p = Vector3::Zero();
+    for (std::size_t k = 0; k < item.size(); ++k) p[k] = readNumber(item[k], where);
+    if (!(p.cwiseAbs().maxCoeff() < 1e100)) {
+      reject(where, " is ", shown(item), ", far off any paper");
+    }
+    points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<std::array<int, 2>> FoldDocument::edges(int frame, int vertex_count) const {
+  std::vector<std::array<int, 2>> edges;
+  const json* list = findArray(frame, "edges_vertices");
+  if (!list) return edges;
+  for (const json& item : *list) {
+    const std::string where = place("edges_vertices", edges.size());
+    if (!item.is_array() || item.size() != 2) reject(where, " is ", shown(item), ", not a pair");
+    edges.push_back(
+        {readVertex(item[0], vertex_count, where), readVertex(item[1], vertex_count, where)});
+  }
+  return edges;
+}
+
+std::string FoldDocument::assignments(int frame, std::size_t edge_count) const {
+  std::string letters;
+  const json* list = findArray(frame, "edges_assignment");
+  if (!list) return letters;
+  for (const json& item : *list) {
+    const std::string word = item.is_string() ? item.get<std::string>() : "";
+    if (word.size() != 1 || std::strchr("BMVFUCJ", word[0]) == nullptr) {
+      reject(place("edges_assignment", letters.size()), " is ", shown(item),
+             ", not one of B M V F U C J");
+    }
+    letters += word;
+  }
+  if (letters.size() != edge_count) {
+    reject("edges_assignment has ", letters.size(), " entries for ", edge_count, " edges");
+  }
+  return letters;
+}
+
+std::vector<double> FoldDocument::foldAngles(int frame, std::size_t edge_count) const {
+  std::vector<double> angles;
+  const json* list = findArray(frame, "edges_foldAngle");
+  if (!list) list = findArray(frame, "edges_foldAngles");  // so called by FOLD 1.0
+  if (!list) return angles;
+  for (const json& item : *list) {
+    angles.push_back(readAngle(item, place("edges_foldAngle", angles.size())));
+  }
+  if (angles.size() != edge_count) {
+    reject("edges_foldAngle has ", angles.size(), " entries for ", edge_count, " edges");
+  }
+  return angles;
+}
+
+std::vector<std::vector<int>> FoldDocument::faces(int frame, int vertex_count) const {
+  std::vector<std::vector<int>> faces;
+  const json* list = findArray(frame, "faces_vertices");
+  if (!list) return faces;
+  for (const json& item : *list) {
+    faces.push_back(readVertices(item, vertex_count, 3, place("faces_vertices", faces.size())));
+  }
+  return faces;
+}
+
+std::vector<NotedCrease> FoldDocument::notedCreases(int frame, int vertex_count) const {
+  std::vector<NotedCrease> creases;
+  const json* list = findArray(frame, "shell_origami:creases");
+  if (!list) return creases;
+  for (const json& item : *list) {
+    const std::string where = place("shell_origami:creases", creases.size());
+    for (const char* key : {"id", "name", "vertices", "rest_angle_deg"}) {
+      if (!item.is_object() || !item.contains(key)) reject(where, " has no ", key);
+    }
+    const json &id = item["id"], &name = item["name"];
+    if (!id.is_number_unsigned() || id >= std::numeric_limits<std::uint32_t>::max()) {
+      reject(where, " has id ", shown(id), ", not a number from 0 to 2^32 - 2");
+    }
+    if (!name.is_string()) reject(where, " has name ", shown(name), ", not a word");
+    creases.push_back({id.get<std::uint32_t>(), name.get<std::string>(),
+                       readVertices(item["vertices"], vertex_count, 2, where),
+                       readAngle(item["rest_angle_deg"], where + " rest_angle_deg")});
+  }
+  return creases;
+}
+
+}  // namespace shell_origami

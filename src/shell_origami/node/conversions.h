@@ -1,0 +1,52 @@
+/// \file
+/// Between the words of the core and the messages. All units are SI and radians on both sides.
+#pragma once
+
+#include <shell_origami/node/messages.h>
+#include <shell_origami/node/session.h>
+#include <shell_origami/origami/simulation.h>
+
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Wrench.h>
+#include <std_msgs/Header.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shell_origami {
+
+msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header);
+std::vector<msg::CreaseState> creaseStates(const Simulation& simulation);
+msg::SheetState stateMessage(const Session& session, const std_msgs::Header& header);
+msg::Energy energyMessage(const Session& session, const StepReport& step, double real_time_factor,
+                          const std_msgs::Header& header);
+
+/// The alternatives of a request: their names, and whether each is given.
+/// \throws std::invalid_argument unless exactly one is.
+void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives);
+
+/// \throws std::invalid_argument unless exactly one of crease, vertices and line is given, with
+///         two finite ends.
+FoldRequest foldRequest(const msg::Fold::Request& request);
+
+/// What to pin. The ball's center is taken as it stands, whatever its frame.
+/// \throws std::invalid_argument unless exactly one of vertices, points, region and center with
+///         radius is given, with finite numbers.
+PinWhere pinWhere(const msg::Pin::Request& request);
+
+geometry_msgs::Point pointMessage(const Vector3& p);
+geometry_msgs::Pose poseMessage(const Pose& pose);
+/// As it stands: its quaternion may be of any length.
+Pose poseFrom(const geometry_msgs::Pose& message);
+geometry_msgs::Wrench wrenchMessage(const Wrench& wrench);
+/// \throws std::invalid_argument unless its numbers are finite.
+Vector3 clickedPoint(const geometry_msgs::PointStamped& click);
+/// The vertex nearest to a point of the world.
+msg::Picked pickedMessage(const Session& session, const Vector3& point,
+                          const std_msgs::Header& header);
+
+std::vector<std::uint32_t> vertexIds(const std::vector<int>& vertices);
+std::vector<std::int64_t> vertexIds(const std::vector<std::uint32_t>& vertices);
+
+}  // namespace shell_origami

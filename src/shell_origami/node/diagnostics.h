@@ -1,0 +1,33 @@
+/// \file
+/// The node's health on /diagnostics.
+#pragma once
+
+#include <shell_origami/node/origami_node.h>
+
+#include <diagnostic_updater/diagnostic_updater.h>
+
+namespace shell_origami {
+
+/// Once a second by the wall clock, also while simulation time stands still: how the solver fares,
+/// whether the node keeps pace, and how the paper is. Figures of a period are those since the
+/// message before.
+class Diagnostics {
+ public:
+  Diagnostics(ros::NodeHandle& node, OrigamiNode& origami);
+
+ private:
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
+
+  void update();
+  void solver(Status& status) const;
+  void pace(Status& status) const;
+  void paper(Status& status) const;
+
+  OrigamiNode& origami_;
+  Counters counters_;   ///< when it was last told
+  double dropped_ = 0;  ///< [s] when it was last told
+  diagnostic_updater::Updater updater_;
+  ros::SteadyTimer timer_;
+};
+
+}  // namespace shell_origami

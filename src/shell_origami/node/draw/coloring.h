@@ -1,0 +1,58 @@
+/// \file
+/// What the colours of the drawn paper tell.
+#pragma once
+
+#include <shell_origami/node/draw/sheet_measures.h>
+#include <shell_origami/node/messages.h>
+
+#include <std_msgs/ColorRGBA.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace shell_origami {
+
+enum class Coloring {
+  kPaper,      ///< the front orange, the back cream
+  kStrain,     ///< squeezed blue, stretched red
+  kCurvature,  ///< bent as a valley blue, as a mountain red
+};
+
+/// The kinds by the names that people write.
+const std::map<std::string, Coloring>& coloringNames();
+
+std_msgs::ColorRGBA color(double r, double g, double b);
+/// Part of the way from one colour to another.
+std_msgs::ColorRGBA mixed(const std_msgs::ColorRGBA& from, const std_msgs::ColorRGBA& to,
+                          double part);
+/// From blue at -1 over the pale of paper at 0 to red at 1, in steps that look alike. What is
+/// beyond has the colour of the end, NaN that of 0.
+std_msgs::ColorRGBA diverging(double value);
+
+/// Colours each triangle of a sheet.
+class SheetColours {
+ public:
+  /// Strain and curvature that have the strongest colour.
+  static constexpr double kFullStrain = 1e-4;
+  static constexpr double kFullCurvature = 5;  ///< over the size of the sheet: [1/sheetSize]
+
+  struct Sides {
+    std_msgs::ColorRGBA front, back;
+  };
+
+  explicit SheetColours(Coloring colouring) : colouring_(colouring) {}
+
+  /// \pre every vertex that the sheet names exists
+  void setSheet(const msg::Sheet& sheet);
+  /// One entry a triangle. \pre x has a column for each vertex of the sheet
+  std::vector<Sides> draw(const Positions& x) const;
+
+ private:
+  Coloring colouring_;
+  std::size_t triangles_ = 0;
+  double size_ = 0;  ///< of the flat sheet [m]
+  SheetMeasures measures_;
+};
+
+}  // namespace shell_origami

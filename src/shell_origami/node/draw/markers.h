@@ -1,0 +1,54 @@
+/// \file
+/// The paper as rviz shows it.
+#pragma once
+
+#include <shell_origami/node/draw/coloring.h>
+#include <shell_origami/node/messages.h>
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <vector>
+
+namespace shell_origami {
+
+/// Draws from the two messages alone, so that a live run and a recorded one look the same. Marker
+/// ids stay the same from one drawing to the next.
+class MarkerPainter {
+ public:
+  MarkerPainter(bool vertex_ids, Coloring colouring)
+      : vertex_ids_(vertex_ids), colours_(colouring) {}
+
+  void showVertexIds(bool shown) { vertex_ids_ = shown; }
+  /// A sheet that names vertices it does not have is taken for none.
+  void setSheet(const msg::Sheet& sheet);
+  /// Whether the state belongs to the sheet that was set.
+  bool fits(const msg::SheetState& state) const;
+  /// \pre fits(state)
+  visualization_msgs::MarkerArray draw(const msg::SheetState& state);
+
+ private:
+  using Marker = visualization_msgs::Marker;
+  using Points = Eigen::Matrix3Xd;
+
+  Marker side(bool front, const Points& middle, const Points& normals,
+              const std::vector<SheetColours::Sides>& colours) const;
+  Marker creases(const std::vector<Points>& sides, const msg::SheetState& state) const;
+  Marker border(const std::vector<Points>& sides) const;
+  Marker pins(const Points& points, const msg::SheetState& state) const;
+  void addVertexIds(const Points& points, visualization_msgs::MarkerArray& array);
+  Points normals(const Points& points) const;
+
+  bool vertex_ids_;
+  std::size_t numbered_ = 0;  ///< vertices whose number rviz shows
+  msg::Sheet sheet_;
+  SheetColours colours_;
+  std_msgs::Header header_;  ///< of the markers; without a sequence number, which live differs
+  std::vector<std::array<std::uint32_t, 2>> border_;
+  std::vector<bool> on_crease_;  ///< for each vertex
+  double size_ = 0;              ///< of the flat sheet [m]
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,108 @@
+#include <shell_origami/node/frames.h>
+
+#include <tf2_eigen/tf2_eigen.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <string>
+
+namespace shell_origami {
+namespace {
+
+/// Panel of each triangle.
+std::vector<int> panelOfTriangle(const Sheet& sheet) {
+  std::vector<std::vector<int>> neighbours(sheet.triangles().size());
+  for (const Edge& edge : sheet.edges()) {
+    if (edge.onBorder() || edge.crease >= 0) continue;
+    neighbours[edge.triangles[0]].push_back(edge.triangles[1]);
+    neighbours[edge.triangles[1]].push_back(edge.triangles[0]);
+  }
+  std::vector<int> panel(sheet.triangles().size(), -1);
+  int count = 0;
+  for (std::size_t first = 0; first < panel.size(); ++first) {
+    if (panel[first] >= 0) continue;
+    std::vector<int> open = {static_cast<int>(first)};
+    panel[first] = count;
+    while (!open.empty()) {
+      const int triangle = open.back();
+      open.pop_back();
+      for (const int neighbour : neighbours[triangle]) {
+        if (panel[neighbour] >= 0) continue;
+        panel[neighbour] = count;
+        open.push_back(neighbour);
+      }
+    }
+    ++count;
+  }
+  return panel;
+}
+
+/// The rotation and shift that bring the flat vertices closest to where they are.
+Eigen::Isometry3d rigidFit(const Sheet& sheet, const std::vector<int>& vertices,
+                           const Positions& positions) {
+  Positions flat = Positions::Zero(3, static_cast<Eigen::Index>(vertices.size()));
+  Positions now = flat;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    flat.col(column).head<2>() = sheet.flatPositions()[vertices[i]];
+    now.col(column) = positions.col(vertices[i]);
+  }
+  return Eigen::Isometry3d(Eigen::umeyama(flat, now, false));
+}
+
+geometry_msgs::TransformStamped frame(const Eigen::Isometry3d& pose, const std::string& child,
+                                      const std_msgs::Header& header) {
+  geometry_msgs::TransformStamped transform = tf2::eigenToTransform(Eigen::Affine3d(pose));
+  transform.header = header;
+  transform.child_frame_id = child;
+  return transform;
+}
+
+}  // namespace
+
+std::vector<Panel> findPanels(const Sheet& sheet) {
+  const std::vector<int> panel_of = panelOfTriangle(sheet);
+  const std::size_t count = *std::max_element(panel_of.begin(), panel_of.end()) + 1;
+  std::vector<std::set<int>> vertices(count);
+  std::vector<double> area(count, 0);
+  std::vector<Vector2> moment(count, Vector2::Zero());
+  for (std::size_t t = 0; t < panel_of.size(); ++t) {
+    const Triangle& corners = sheet.triangles()[t];
+    const Vector2& a = sheet.flatPositions()[corners[0]];
+    const Vector2& b = sheet.flatPositions()[corners[1]];
+    const Vector2& c = sheet.flatPositions()[corners[2]];
+    const double weight = doubleArea(a, b, c);
+    vertices[panel_of[t]].insert(corners.begin(), corners.end());
+    area[panel_of[t]] += weight;
+    moment[panel_of[t]] += weight * (a + b + c) / 3;
+  }
+  std::vector<Panel> panels;
+  for (std::size_t i = 0; i < count; ++i) {
+    panels.push_back({{vertices[i].begin(), vertices[i].end()}, moment[i] / area[i]});
+  }
+  return panels;
+}
+
+std::vector<geometry_msgs::TransformStamped> paperFrames(const Sheet& sheet,
+                                                         const std::vector<Panel>& panels,
+                                                         const Positions& positions,
+                                                         const std_msgs::Header& header) {
+  std::vector<int> all(sheet.vertexCount());
+  std::iota(all.begin(), all.end(), 0);
+  const Eigen::Isometry3d paper = rigidFit(sheet, all, positions);
+  std::vector<geometry_msgs::TransformStamped> frames = {frame(paper, "paper", header)};
+
+  std_msgs::Header on_paper = header;
+  on_paper.frame_id = "paper";
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Vector3 centroid(panels[i].centroid.x(), panels[i].centroid.y(), 0);
+    const Eigen::Isometry3d panel =
+        rigidFit(sheet, panels[i].vertices, positions) * Eigen::Translation3d(centroid);
+    frames.push_back(frame(paper.inverse() * panel, "panel_" + std::to_string(i), on_paper));
+  }
+  return frames;
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,106 @@
+#include <shell_origami/node/held_frames.h>
+
+#include <shell_origami/base/error.h>
+#include <shell_origami/node/tf_utilities.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shell_origami {
+namespace {
+
+/// News of a frame that are older are none [s].
+constexpr double kStale = 1.0;
+/// Within this time what was late once is forgotten, to a half [s].
+constexpr double kHalfLife = 0.5;
+/// A follower that lags more than it has to catches up by this part of a step, and where it lags
+/// farther than this [s], at once.
+constexpr double kCatchUp = 0.2, kFarBehind = 0.5;
+/// Held paper is carried at this speed at most [m/s].
+constexpr double kFastest = 2.0;
+constexpr double kWarnPeriod = 5;  ///< [s]
+
+Pose poseOf(const geometry_msgs::TransformStamped& transform) {
+  const auto& p = transform.transform.translation;
+  const auto& q = transform.transform.rotation;
+  return {{p.x, p.y, p.z}, Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized()};
+}
+
+/// How far any of the grip's vertices is from where a pose puts it [m].
+double distanceTo(const Pose& pose, const Grip& grip) {
+  double farthest = 0;
+  for (const auto& [v, place] : grip.places) {
+    farthest = std::max(farthest, (pose.toWorld(place) - grip.pose.toWorld(place)).norm());
+  }
+  return farthest;
+}
+
+}  // namespace
+
+HeldFrames::HeldFrames(OrigamiNode& origami, const tf2_ros::Buffer& tf)
+    : origami_(origami), tf_(tf) {
+  origami.setCarrier([this](double time_step, const ros::Time& end) { carry(time_step, end); });
+}
+
+HeldFrames::~HeldFrames() { origami_.setCarrier(nullptr); }
+
+geometry_msgs::TransformStamped HeldFrames::lookUp(const std::string& frame,
+                                                   const ros::Time& time) const {
+  return tf_.lookupTransform(origami_.config().world_frame, frame, time);
+}
+
+std::vector<int> HeldFrames::pin(const PinWhere& where, const std::string& frame) {
+  if (frame == "paper" || frame.rfind("panel_", 0) == 0) {
+    reject("frame_id is \"", frame, "\", which is the paper's own and cannot hold it");
+  }
+  std_msgs::Header latest;
+  latest.frame_id = frame;
+  const geometry_msgs::TransformStamped transform =
+      transformToWorld("frame_id is", latest, origami_.config().world_frame, tf_);
+  const bool follows = origami_.session().simulation().held().grips().count(frame) > 0;
+  std::vector<int> vertices = origami_.session().simulation().pin(where, frame, poseOf(transform));
+  if (!follows) followers_[frame] = {transform.header.stamp, 0};
+  return vertices;
+}
+
+void HeldFrames::carry(double time_step, const ros::Time& end) {
+  const auto& grips = origami_.session().simulation().held().grips();
+  for (auto follower = followers_.begin(); follower != followers_.end();) {
+    follower = grips.count(follower->first) ? std::next(follower) : followers_.erase(follower);
+  }
+  for (const auto& [frame, grip] : grips) carry(frame, grip, time_step, end);
+}
+
+void HeldFrames::carry(const std::string& frame, const Grip& grip, double time_step,
+                       const ros::Time& end) {
+  try {
+    const ros::Time latest = lookUp(frame, ros::Time(0)).header.stamp;
+    Follower& follower = followers_[frame];
+    const double late = (end - latest).toSec();
+    // A frame that never moves has no stamp.
+    if (!latest.isZero() && late > kStale) {
+      ROS_WARN_THROTTLE(kWarnPeriod, "frame %s was last heard of %.1f s ago: the paper waits",
+                        frame.c_str(), late);
+    }
+    follower.behind = std::max(late, follower.behind * std::exp2(-time_step / kHalfLife));
+    follower.played += ros::Duration(time_step);
+    const double lag = (end - follower.played).toSec() - follower.behind;
+    if (lag > kFarBehind) follower.played += ros::Duration(lag);
+    else if (lag > 0) follower.played += ros::Duration(std::min(lag, kCatchUp * time_step));
+    follower.played = std::min(follower.played, latest);
+
+    Pose pose = poseOf(lookUp(frame, follower.played));
+    const double distance = distanceTo(pose, grip);
+    if (distance > kFastest * time_step) {
+      ROS_WARN_THROTTLE(kWarnPeriod, "frame %s jumped by %.3f m: the paper follows at %g m/s",
+                        frame.c_str(), distance, kFastest);
+      pose = poseBetween(grip.pose, pose, kFastest * time_step / distance);
+    }
+    origami_.session().simulation().carry(frame, pose);
+  } catch (const std::exception& error) {
+    ROS_WARN_THROTTLE(kWarnPeriod, "frame %s is lost, and the paper waits: %s", frame.c_str(),
+                      error.what());
+  }
+}
+
+}  // namespace shell_origami

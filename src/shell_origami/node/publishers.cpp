@@ -1,0 +1,112 @@
+#include <shell_origami/node/publishers.h>
+
+#include <shell_origami/node/conversions.h>
+
+#include <geometry_msgs/WrenchStamped.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace shell_origami {
+
+Publishers::Publishers(ros::NodeHandle& node, const NodeConfig& config,
+                       std::function<msg::Edit()> whole_paper)
+    : world_frame_(config.world_frame),
+      painter_(config.vertex_ids, config.colouring),
+      sheet_(node.advertise<msg::Sheet>("sheet", 10, true)),
+      state_(node.advertise<msg::SheetState>("state", 100)),
+      energy_(node.advertise<msg::Energy>("energy", 100)),
+      markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 5)),
+      node_(node) {
+  const auto send_paper = [whole_paper](const ros::SingleSubscriberPublisher& subscriber) {
+    subscriber.publish(whole_paper());
+  };
+  edit_ = node.advertise<msg::Edit>("edits", 1000, send_paper);
+}
+
+std_msgs::Header Publishers::header(const ros::Time& stamp) const {
+  std_msgs::Header header;
+  header.stamp = stamp;
+  header.frame_id = world_frame_;
+  return header;
+}
+
+bool Publishers::recorded() const {
+  return sheet_.getNumSubscribers() > 0 && state_.getNumSubscribers() > 0 &&
+         edit_.getNumSubscribers() > 0;
+}
+
+void Publishers::publish(const Session& session, const StepReport& step, double real_time_factor,
+                         const ros::Time& stamp) {
+  if (revision_ != session.revision()) publishSheet(session, stamp);
+  const bool draw = markers_.getNumSubscribers() > 0;
+  if (draw || state_.getNumSubscribers() > 0) {
+    const msg::SheetState state = stateMessage(session, header(stamp));
+    state_.publish(state);
+    if (draw) markers_.publish(painter_.draw(state));
+  }
+  if (energy_.getNumSubscribers() > 0) {
+    energy_.publish(energyMessage(session, step, real_time_factor, header(stamp)));
+  }
+  publishWrenches(session, stamp);
+  publishFrames(session, stamp);
+}
+
+void Publishers::publishSheet(const Session& session, const ros::Time& stamp) {
+  const msg::Sheet message = sheetMessage(session, header(stamp));
+  sheet_.publish(message);
+  painter_.setSheet(message);
+  panels_ = findPanels(session.simulation().sheet());
+  revision_ = session.revision();
+}
+
+void Publishers::publishFrames(const Session& session, const ros::Time& stamp) {
+  if (stamp == frames_stamp_) return;  // tf2 warns of repeated stamps
+  frames_stamp_ = stamp;
+  const Simulation& simulation = session.simulation();
+  broadcaster_.sendTransform(
+      paperFrames(simulation.sheet(), panels_, simulation.positions(), header(stamp)));
+}
+
+namespace {
+
+/// TF allows more letters than names of topics do. (Below ~wrench/ these may begin with any.)
+std::string topicFor(std::string frame) {
+  for (char& letter : frame) {
+    if (!std::isalnum(static_cast<unsigned char>(letter)) && letter != '/') letter = '_';
+  }
+  return frame;
+}
+
+}  // namespace
+
+void Publishers::publishWrenches(const Session& session, const ros::Time& stamp) {
+  const HeldVertices& held = session.simulation().held();
+  if (held.all().empty()) return;
+  for (const auto& [frame, grip] : held.grips()) advertiseWrench(frame);
+  if (held.grips().empty() || !held.inPlace().empty()) advertiseWrench(world_frame_);
+  const bool heard = std::any_of(wrenches_.begin(), wrenches_.end(), [](const auto& entry) {
+    return entry.second.getNumSubscribers() > 0;
+  });
+  if (!heard) return;
+  for (const auto& [frame, wrench] : session.simulation().holdingWrenches()) {
+    geometry_msgs::WrenchStamped message;
+    message.header = header(stamp);
+    if (!frame.empty()) message.header.frame_id = frame;
+    message.wrench = wrenchMessage(wrench);
+    wrenches_.at(message.header.frame_id).publish(message);
+  }
+}
+
+void Publishers::advertiseWrench(const std::string& frame) {
+  if (wrenches_.count(frame)) return;
+  wrenches_[frame] =
+      node_.advertise<geometry_msgs::WrenchStamped>("wrench/" + topicFor(frame), 100);
+}
+
+void Publishers::publishEdit(msg::Edit edit, const ros::Time& stamp) {
+  edit.header = header(stamp);
+  edit_.publish(edit);
+}
+
+}  // namespace shell_origami

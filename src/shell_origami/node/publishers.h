@@ -1,0 +1,60 @@
+/// \file
+/// Every topic the node publishes, but /clock.
+#pragma once
+
+#include <shell_origami/node/draw/markers.h>
+#include <shell_origami/node/frames.h>
+#include <shell_origami/node/parameters.h>
+#include <shell_origami/node/session.h>
+
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shell_origami {
+
+class Publishers {
+ public:
+  /// \param whole_paper  makes the edit that whoever begins to listen is sent first
+  Publishers(ros::NodeHandle& node, const NodeConfig& config,
+             std::function<msg::Edit()> whole_paper);
+
+  /// The paper as it is now, and its sheet when the revision is a new one.
+  void publish(const Session& session, const StepReport& step, double real_time_factor,
+               const ros::Time& stamp);
+
+  void publishEdit(msg::Edit edit, const ros::Time& stamp);
+
+  void showVertexIds(bool shown) { painter_.showVertexIds(shown); }
+
+  /// Whether someone listens to all that a recording needs.
+  bool recorded() const;
+
+ private:
+  std_msgs::Header header(const ros::Time& stamp) const;
+  void publishSheet(const Session& session, const ros::Time& stamp);
+  void publishFrames(const Session& session, const ros::Time& stamp);
+  void publishWrenches(const Session& session, const ros::Time& stamp);
+  void advertiseWrench(const std::string& frame);
+
+  std::string world_frame_;
+  MarkerPainter painter_;
+  std::optional<std::uint32_t> revision_;  ///< of the sheet last published
+  std::vector<Panel> panels_;              ///< of that sheet
+  ros::Time frames_stamp_;
+
+  ros::Publisher sheet_;
+  ros::Publisher state_;
+  ros::Publisher energy_;
+  ros::Publisher markers_;
+  ros::Publisher edit_;
+  ros::NodeHandle node_;
+  std::map<std::string, ros::Publisher> wrenches_;  ///< by the names of frames that held paper
+  tf2_ros::TransformBroadcaster broadcaster_;
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,70 @@
+#include <shell_origami/node/recipe_run.h>
+
+#include <shell_origami/origami/report.h>
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace shell_origami {
+
+RecipeRun::RecipeRun(Recipe recipe, std::string output, Listener listener)
+    : runner_(std::move(recipe)), output_(std::move(output)), listener_(std::move(listener)) {}
+
+RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
+    : runner_(readRecipe({checkpoint.at("called"), checkpoint.at("folder"), checkpoint.at("text")}),
+              {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("step_start")}),
+      output_(checkpoint.at("output")),
+      start_(ros::SteadyTime::now()),
+      start_time_(checkpoint.at("start")) {}
+
+nlohmann::json RecipeRun::checkpoint() const {
+  const RecipeText& source = recipe().source;
+  const RecipePlace& place = runner_.place();
+  return {{"called", source.called}, {"folder", source.folder},  {"text", source.text},
+          {"step", place.step},      {"started", place.started}, {"step_start", place.start_time},
+          {"output", output_},       {"start", start_time_}};
+}
+
+bool RecipeRun::update(Simulation& simulation) {
+  if (start_.isZero()) {
+    start_ = ros::SteadyTime::now();
+    start_time_ = simulation.time();
+  }
+  if (!runner_.update(simulation)) {
+    finish(simulation);
+    return false;
+  }
+  if (told_ != stepNumber()) {
+    told_ = stepNumber();
+    ROS_INFO("%s: %s", recipe().name.c_str(), place().c_str());
+  }
+  return true;
+}
+
+void RecipeRun::end(const std::string& why) {
+  const std::string sentence = why.empty() ? "" : "abandoned at " + place() + ": " + why;
+  if (!why.empty()) ROS_WARN("%s: %s", recipe().name.c_str(), sentence.c_str());
+  if (listener_) listener_(*this, sentence);
+}
+
+int RecipeRun::stepNumber() const {
+  return std::min(runner_.place().step + 1, static_cast<int>(recipe().steps.size()));
+}
+
+std::string RecipeRun::place() const {
+  return "step " + std::to_string(stepNumber()) + " of " + std::to_string(recipe().steps.size()) +
+         ": " + runner_.doing();
+}
+
+void RecipeRun::finish(const Simulation& simulation) const {
+  const double wall_time = (ros::SteadyTime::now() - start_).toSec();
+  ROS_INFO("%s: done after %.2f s of simulation, %.2f s elapsed", recipe().name.c_str(),
+           simulation.time() - start_time_, wall_time);
+  if (output_.empty()) return;
+  writeResults(simulation, recipe().name, wall_time, output_);
+  ROS_INFO("%s: results are in %s", recipe().name.c_str(), output_.c_str());
+}
+
+}  // namespace shell_origami

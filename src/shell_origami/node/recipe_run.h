@@ -1,0 +1,53 @@
+/// \file
+/// A recipe under way: what it does is told in the log, and its results are written at the end.
+#pragma once
+
+#include <shell_origami/origami/recipe.h>
+
+#include <ros/time.h>
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <string>
+
+namespace shell_origami {
+
+class RecipeRun {
+ public:
+  /// Hears how the recipe ended: why it was abandoned, or an empty sentence when it is done.
+  using Listener = std::function<void(const RecipeRun& run, const std::string& why)>;
+
+  /// \param output  folder for the results; empty: none are written
+  RecipeRun(Recipe recipe, std::string output, Listener listener = nullptr);
+  /// Goes on where checkpoint() was taken; nobody listens.
+  /// \throws std::invalid_argument, nlohmann::json::exception
+  explicit RecipeRun(const nlohmann::json& checkpoint);
+  nlohmann::json checkpoint() const;
+
+  /// Does what is due before the next step. Returns false once the recipe is over.
+  /// \throws std::exception when the paper refuses an edit or the results cannot be written.
+  bool update(Simulation& simulation);
+
+  /// Tells the listener of the end, and the log of an early one.
+  void end(const std::string& why);
+  /// Nobody hears of the end any more.
+  void forgetListener() { listener_ = nullptr; }
+
+  const Recipe& recipe() const { return runner_.recipe(); }
+  const RecipeRunner& runner() const { return runner_; }
+  int stepNumber() const;  ///< of the step under way, from 1; 0 where the recipe has none
+
+ private:
+  void finish(const Simulation& simulation) const;
+  std::string place() const;
+
+  RecipeRunner runner_;
+  std::string output_;
+  Listener listener_;
+  int told_ = 0;  ///< number of the step that the log told of
+  ros::SteadyTime start_;
+  double start_time_ = 0;  ///< of the simulation [s]
+};
+
+}  // namespace shell_origami

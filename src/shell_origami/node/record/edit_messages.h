@@ -1,0 +1,25 @@
+/// \file
+/// The paper's edits as messages, and back: what a recording is simulated again from.
+#pragma once
+
+#include <shell_origami/node/messages.h>
+#include <shell_origami/node/session.h>
+
+#include <string>
+
+namespace shell_origami {
+
+/// The header is left open.
+msg::Edit editMessage(const EditRecord& edit);
+/// Kind paper, load or reset: the whole paper after its last edit. The header is left open.
+msg::Edit paperMessage(const Session& session, const std::string& kind,
+                       const std::string& path = "");
+
+/// \throws std::invalid_argument with one sentence when it is none that paper takes.
+EditRecord editRecord(const msg::Edit& message);
+/// Whether the message carries a whole paper.
+bool carriesPaper(const msg::Edit& message);
+/// \throws std::invalid_argument with one sentence when it carries none.
+Session paperFrom(const msg::Edit& message);
+
+}  // namespace shell_origami

@@ -1,0 +1,128 @@
+#include <shell_origami/origami/recipe.h>
+
+#include <shell_origami/base/error.h>
+#include <shell_origami/mesh/triangulate.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shell_origami {
+
+namespace {
+
+FoldPaper readPaper(const SheetSource& source) {
+  if (!source.pattern.empty()) return readFold(source.pattern, {source.scale, source.max_edge});
+  return {Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), {}, {}};
+}
+
+Eigen::Isometry3d poseOf(const SheetSource& source) {
+  const Vector3& angles = source.roll_pitch_yaw;
+  return Eigen::Translation3d(source.position) * Eigen::AngleAxisd(angles.z(), Vector3::UnitZ()) *
+         Eigen::AngleAxisd(angles.y(), Vector3::UnitY()) *
+         Eigen::AngleAxisd(angles.x(), Vector3::UnitX());
+}
+
+}  // namespace
+
+Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config) {
+  FoldPaper paper = readPaper(source);
+  if (!paper.positions) {
+    paper.positions = flatInSpace(paper.sheet);
+    paper.rest_angles.assign(paper.sheet.creases().size(), std::nan(""));
+  }
+  const Eigen::Isometry3d pose = poseOf(source);
+  const Positions positions = (pose.linear() * *paper.positions).colwise() + pose.translation();
+  return Simulation(std::move(paper.sheet), config, positions, paper.rest_angles);
+}
+
+RecipeRunner::RecipeRunner(Recipe recipe, const RecipePlace& place)
+    : recipe_(std::move(recipe)), place_(place) {}
+
+namespace {
+
+/// What a step does at once, and when it is over.
+struct Start {
+  Simulation& simulation;
+
+  void operator()(const PinStep& step) const { simulation.pin(step.where); }
+  void operator()(const UnpinStep& step) const {
+    std::vector<std::int64_t> vertices;
+    for (const Vector2& p : step.points) vertices.push_back(simulation.sheet().nearestVertex(p));
+    simulation.unpin(vertices);
+  }
+  void operator()(const FoldStep& step) const {
+    for (FoldRequest fold : step.folds) {
+      if (!fold.duration) fold.duration = step.duration;
+      simulation.fold(fold);
+    }
+  }
+  void operator()(const SettleStep& step) const {
+    if (!step.quasi_static) return;
+    const StepReport report = simulation.settle();
+    if (!report.converged) reject("it cannot settle: ", report.failure);
+  }
+};
+
+struct Over {
+  const Simulation& simulation;
+  double elapsed;
+
+  bool operator()(const PinStep&) const { return true; }
+  bool operator()(const UnpinStep&) const { return true; }
+  bool operator()(const FoldStep&) const { return !simulation.folding(); }
+  bool operator()(const SettleStep& step) const {
+    // The residual speeds of a fold just begun are not rest.
+    return elapsed >= step.timeout || (elapsed > 0 && simulation.settled());
+  }
+};
+
+struct Word {
+  const char* operator()(const PinStep&) const { return "pin"; }
+  const char* operator()(const UnpinStep&) const { return "unpin"; }
+  const char* operator()(const FoldStep&) const { return "fold"; }
+  const char* operator()(const SettleStep&) const { return "settle"; }
+};
+
+struct Length {
+  double operator()(const PinStep&) const { return 0; }
+  double operator()(const UnpinStep&) const { return 0; }
+  double operator()(const FoldStep& step) const { return step.duration; }
+  double operator()(const SettleStep& step) const { return step.timeout; }
+};
+
+}  // namespace
+
+bool RecipeRunner::update(Simulation& simulation) {
+  while (!finished()) {
+    const RecipeStep& step = recipe_.steps[place_.step];
+    if (!place_.started) {
+      std::visit(Start{simulation}, step);
+      place_.started = true;
+      place_.start_time = simulation.time();
+    }
+    if (!std::visit(Over{simulation, simulation.time() - place_.start_time}, step)) return true;
+    ++place_.step;
+    place_.started = false;
+  }
+  return false;
+}
+
+double RecipeRunner::progress(const Simulation& simulation) const {
+  double total = 0, done = 0;
+  for (int i = 0; i < static_cast<int>(recipe_.steps.size()); ++i) {
+    const double length = std::visit(Length{}, recipe_.steps[i]);
+    total += length;
+    if (i < place_.step) done += length;
+    if (i == place_.step && place_.started)
+      done += std::min(length, simulation.time() - place_.start_time);
+  }
+  return finished() || total == 0 ? 1 : done / total;
+}
+
+std::string RecipeRunner::doing() const {
+  return finished() ? "done" : std::visit(Word{}, recipe_.steps[place_.step]);
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,112 @@
+/// \file
+/// A recipe: a sheet, its material, and what to do with it, step by step (YAML).
+#pragma once
+
+#include <shell_origami/fold_format/fold_file.h>
+#include <shell_origami/origami/simulation.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace shell_origami {
+
+/// Where a sheet comes from: a rectangle from (0, 0), or a FOLD file.
+struct SheetSource {
+  double width = 0.15;     ///< [m]
+  double height = 0.15;    ///< [m]
+  double max_edge = 0.01;  ///< longest edge wanted [m]
+  std::string pattern;     ///< FOLD file; empty: the rectangle
+  double scale = 0;        ///< metres per unit of the pattern; 0: the unit the file states
+  Vector3 position = Vector3::Zero();  ///< where the flat sheet's origin lies in the world [m]
+  Vector3 roll_pitch_yaw = Vector3::Zero();  ///< how the flat sheet lies there [rad] (REP-103)
+};
+
+/// Makes the paper. \throws std::invalid_argument with one sentence.
+Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config);
+
+struct PinStep {
+  PinWhere where;
+};
+struct UnpinStep {
+  std::vector<Vector2> points;
+};  ///< empty: all
+struct FoldStep {
+  std::vector<FoldRequest> folds;
+  double duration = 1;
+};
+/// Waits until the paper has settled; quasi-statically it goes to equilibrium first, at once.
+struct SettleStep {
+  double timeout = 5;
+  bool quasi_static = false;
+};  ///< [s]
+using RecipeStep = std::variant<PinStep, UnpinStep, FoldStep, SettleStep>;
+
+/// From where the finished model looks best: rviz's orbit camera.
+struct View {
+  double yaw = 0.8, pitch = 0.7;  ///< [rad]
+  double distance = 0.4;          ///< [m]
+};
+
+/// A recipe as people write it.
+struct RecipeText {
+  std::string called = "yaml";  ///< its path, or another word that complaints call it by
+  std::string folder;           ///< which relative paths in it are relative to
+  std::string text;
+};
+
+struct Recipe {
+  RecipeText source;
+  std::string name;  ///< file name without folder and extension
+  SheetSource sheet;
+  SimulationConfig config;
+  View view;
+  std::vector<RecipeStep> steps;
+  std::set<std::string> stated;  ///< words at its top, such as "sheet": all else is by default
+
+  bool states(const std::string& word) const { return stated.count(word) > 0; }
+};
+
+/// `key=value` pairs with the key's parts joined by '/', such as material/thickness=2e-4.
+using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads a recipe. Unknown words are refused. Values the recipe does not state are those of
+/// `defaults`.
+/// \throws std::invalid_argument with one sentence naming file, line and offending value.
+Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults = {},
+                  const SheetSource& sheet = {}, const Overrides& overrides = {});
+
+/// The same of a recipe that is not in a file.
+Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults = {},
+                  const SheetSource& sheet = {}, const Overrides& overrides = {});
+
+/// How far a recipe is.
+struct RecipePlace {
+  int step = 0;           ///< under way, 0-based
+  bool started = false;   ///< whether that step's edits are made
+  double start_time = 0;  ///< of that step [s]
+};
+
+/// Carries a recipe out on a simulation. Call update() before each step.
+class RecipeRunner {
+ public:
+  explicit RecipeRunner(Recipe recipe, const RecipePlace& place = {});
+
+  /// Does what is due now. Returns false once every step of the recipe is done.
+  /// \throws std::invalid_argument when the paper refuses an edit of the recipe.
+  bool update(Simulation& simulation);
+
+  const Recipe& recipe() const { return recipe_; }
+  const RecipePlace& place() const { return place_; }
+  bool finished() const { return place_.step >= static_cast<int>(recipe_.steps.size()); }
+  double progress(const Simulation& simulation) const;  ///< 0..1
+  std::string doing() const;                            ///< one word for the step under way
+
+ private:
+  Recipe recipe_;
+  RecipePlace place_;
+};
+
+}  // namespace shell_origami

@@ -1,0 +1,394 @@
+#include <shell_origami/base/error.h>
+#include <shell_origami/origami/bounded_yaml.h>
+#include <shell_origami/origami/recipe.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace shell_origami {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kDegree = M_PI / 180;
+/// Aliases of aliases make short text long: a list of a thousand times a list of a thousand folds.
+constexpr std::size_t kMostValues = 1000000;
+
+/// A recipe's file while it is read: knows where it is, for its complaints.
+class Reader {
+ public:
+  explicit Reader(std::string file) : file_(std::move(file)) {}
+
+  template <class... Parts>
+  [[noreturn]] void refuseAt(const YAML::Node& node, const Parts&... parts) const {
+    const int line = node.Mark().line;
+    if (line >= 0) reject(file_, ", line ", line + 1, ": ", parts...);
+    reject(file_, ": ", parts...);
+  }
+
+  using Handlers = std::map<std::string, std::function<void(const YAML::Node&)>>;
+  /// Hands each entry of the map to its handler. Unknown words are refused.
+  void readMap(const YAML::Node& node, const std::string& what, const Handlers& handlers) const {
+    if (!node.IsMap()) refuseAt(node, what, " must be a map of key: value");
+    for (const auto& entry : node) {
+      const std::string key = text(entry.first, what);
+      const auto handler = handlers.find(key);
+      if (handler == handlers.end()) refuseAt(entry.first, what, " knows no '", key, "'");
+      handler->second(entry.second);
+    }
+  }
+
+  std::string text(const YAML::Node& node, const std::string& what) const {
+    countValue();
+    if (!node.IsScalar()) refuseAt(node, what, " must be a word");
+    return node.Scalar();
+  }
+
+  double number(const YAML::Node& node, const std::string& what) const {
+    countValue();
+    double value = 0;
+    if (!node.IsScalar() || !YAML::convert<double>::decode(node, value) || !std::isfinite(value)) {
+      refuseAt(node, what, " must be a finite number",
+               node.IsScalar() ? ", not '" + node.Scalar() + "'" : "");
+    }
+    return value;
+  }
+
+  bool truth(const YAML::Node& node, const std::string& what) const {
+    bool value = false;
+    if (!node.IsScalar() || !YAML::convert<bool>::decode(node, value)) {
+      refuseAt(node, what, " must be true or false");
+    }
+    return value;
+  }
+
+  /// What a word among a few stands for.
+  template <class Value>
+  Value choice(const YAML::Node& node, const std::string& what,
+               const std::map<std::string, Value>& choices) const {
+    const auto found = choices.find(text(node, what));
+    if (found != choices.end()) return found->second;
+    refuseAt(node, what, " must be ", alternatives(choices), ", not '", node.Scalar(), "'");
+  }
+
+  std::vector<double> numbers(const YAML::Node& node, std::size_t count,
+                              const std::string& what) const {
+    if (!node.IsSequence() || node.size() != count) {
+      refuseAt(node, what, " must be a list of ", count, " numbers");
+    }
+    std::vector<double> values;
+    for (const YAML::Node& entry : node) values.push_back(number(entry, what));
+    return values;
+  }
+
+  std::vector<Vector2> points(const YAML::Node& node, const std::string& what) const {
+    if (!node.IsSequence() || node.size() == 0) {
+      refuseAt(node, what, " must be a list of points [x, y]");
+    }
+    std::vector<Vector2> points;
+    for (const YAML::Node& entry : node) {
+      const std::vector<double> p = numbers(entry, 2, what);
+      points.emplace_back(p[0], p[1]);
+    }
+    return points;
+  }
+
+  std::function<void(const YAML::Node&)> into(double& value, const std::string& what) const {
+    return [this, &value, what](const YAML::Node& node) { value = number(node, what); };
+  }
+
+ private:
+  void countValue() const {
+    if (++values_ > kMostValues) reject(file_, ": it holds more than ", kMostValues, " values");
+  }
+
+  std::string file_;
+  mutable std::size_t values_ = 0;  ///< read so far
+};
+
+void readPose(const Reader& reader, const YAML::Node& node, SheetSource& sheet) {
+  reader.readMap(node, "sheet/pose",
+                 {{"position",
+                   [&](const YAML::Node& value) {
+                     const auto p = reader.numbers(value, 3, "sheet/pose/position");
+                     sheet.position = {p[0], p[1], p[2]};
+                   }},
+                  {"rpy_deg", [&](const YAML::Node& value) {
+                     const auto angles = reader.numbers(value, 3, "sheet/pose/rpy_deg");
+                     sheet.roll_pitch_yaw = kDegree * Vector3(angles[0], angles[1], angles[2]);
+                   }}});
+}
+
+void readCurvature(const Reader& reader, const YAML::Node& node, NaturalCurvature& roll) {
+  reader.readMap(node, "sheet/curvature",
+                 {{"value", reader.into(roll.curvature, "sheet/curvature/value")},
+                  {"axis_deg", [&](const YAML::Node& value) {
+                     roll.axis = kDegree * reader.number(value, "sheet/curvature/axis_deg");
+                   }}});
+}
+
+void readSheet(const Reader& reader, const YAML::Node& node, const fs::path& folder,
+               SheetSource& sheet, NaturalCurvature& roll) {
+  reader.readMap(
+      node, "sheet",
+      {{"size",
+        [&](const YAML::Node& value) {
+          const auto size = reader.numbers(value, 2, "sheet/size");
+          sheet.width = size[0];
+          sheet.height = size[1];
+        }},
+       {"max_edge", reader.into(sheet.max_edge, "sheet/max_edge")},
+       {"pattern",
+        [&](const YAML::Node& value) {
+          sheet.pattern = (folder / reader.text(value, "sheet/pattern")).string();
+        }},
+       {"scale", reader.into(sheet.scale, "sheet/scale")},
+       {"pose", [&](const YAML::Node& value) { readPose(reader, value, sheet); }},
+       {"curvature", [&](const YAML::Node& value) { readCurvature(reader, value, roll); }}});
+}
+
+void readMaterial(const Reader& reader, const YAML::Node& node, Material& material) {
+  reader.readMap(node, "material",
+                 {{"youngs_modulus", reader.into(material.youngs_modulus, "youngs_modulus")},
+                  {"poisson_ratio", reader.into(material.poisson_ratio, "poisson_ratio")},
+                  {"thickness", reader.into(material.thickness, "thickness")},
+                  {"density", reader.into(material.density, "density")},
+                  {"crease_stiffness", reader.into(material.crease_stiffness, "crease_stiffness")},
+                  {"air_damping", reader.into(material.air_damping, "air_damping")},
+                  {"membrane",
+                   [&](const YAML::Node& value) {
+                     material.membrane = reader.choice(value, "membrane", membraneNames());
+                   }},
+                  {"crease_height_term",
+                   [&](const YAML::Node& value) {
+                     material.crease_height_term = reader.truth(value, "crease_height_term");
+                   }},
+                  {"yield_curvature", reader.into(material.yield_curvature, "yield_curvature")},
+                  {"hardening", reader.into(material.hardening, "hardening")}});
+}
+
+void readSolver(const Reader& reader, const YAML::Node& node, SolverConfig& solver) {
+  reader.readMap(node, "solver",
+                 {{"integrator",
+                   [&](const YAML::Node& value) {
+                     solver.integrator = reader.choice(value, "integrator", integratorNames());
+                   }},
+                  {"time_step", reader.into(solver.time_step, "time_step")},
+                  {"beta", reader.into(solver.beta, "beta")},
+                  {"gamma", reader.into(solver.gamma, "gamma")},
+                  {"tolerance", reader.into(solver.tolerance, "tolerance")},
+                  {"max_iterations", [&](const YAML::Node& value) {
+                     const double count = reader.number(value, "max_iterations");
+                     if (count != std::floor(count) || std::abs(count) > 1e9) {
+                       reader.refuseAt(value, "max_iterations must be a whole number, not ", count);
+                     }
+                     solver.max_iterations = static_cast<int>(count);
+                   }}});
+}
+
+void readView(const Reader& reader, const YAML::Node& node, View& view) {
+  const auto degrees = [&reader](double& angle, const std::string& what) {
+    return [&reader, &angle, what](const YAML::Node& value) {
+      angle = reader.number(value, what) * kDegree;
+    };
+  };
+  reader.readMap(node, "view",
+                 {{"yaw_deg", degrees(view.yaw, "yaw_deg")},
+                  {"pitch_deg", degrees(view.pitch, "pitch_deg")},
+                  {"distance", reader.into(view.distance, "distance")}});
+}
+
+FoldRequest readFoldEntry(const Reader& reader, const YAML::Node& node) {
+  FoldRequest fold;
+  bool has_place = false, has_angle = false;
+  const auto place = [&](const YAML::Node& value) {
+    if (has_place) reader.refuseAt(value, "a fold takes one of line and crease, not both");
+    has_place = true;
+  };
+  reader.readMap(
+      node, "a fold",
+      {{"line",
+        [&](const YAML::Node& value) {
+          place(value);
+          const auto ends = reader.points(value, "line");
+          if (ends.size() != 2) reader.refuseAt(value, "a line has two ends");
+          fold.where = Segment{ends[0], ends[1]};
+        }},
+       {"crease",
+        [&](const YAML::Node& value) {
+          place(value);
+          fold.where = CreaseName{reader.text(value, "crease")};
+        }},
+       {"angle_deg",
+        [&](const YAML::Node& value) {
+          const double angle = reader.number(value, "angle_deg");
+          if (!(std::abs(angle) < 180)) {
+            reader.refuseAt(value, "angle_deg ", angle, " is not inside (-180, 180)");
+          }
+          fold.angle = angle * kDegree;
+          has_angle = true;
+        }},
+       {"stiffness",
+        [&](const YAML::Node& value) { fold.stiffness = reader.number(value, "stiffness"); }},
+       {"name", [&](const YAML::Node& value) { fold.name = reader.text(value, "name"); }}});
+  if (!has_place) reader.refuseAt(node, "a fold needs a line or a crease");
+  if (!has_angle) reader.refuseAt(node, "a fold needs angle_deg");
+  return fold;
+}
+
+PinStep readPin(const Reader& reader, const YAML::Node& node) {
+  PinStep pin;
+  if (node.IsMap() && node.size() != 1) reader.refuseAt(node, "pin takes one of region and points");
+  reader.readMap(
+      node, "pin",
+      {{"region",
+        [&](const YAML::Node& value) { pin.where = Region{reader.points(value, "region")}; }},
+       {"points", [&](const YAML::Node& value) { pin.where = reader.points(value, "points"); }}});
+  return pin;
+}
+
+UnpinStep readUnpin(const Reader& reader, const YAML::Node& node) {
+  UnpinStep unpin;
+  if (node.IsScalar() && node.Scalar() == "all") return unpin;
+  if (!node.IsMap() || node.size() != 1) reader.refuseAt(node, "unpin takes all or points");
+  reader.readMap(node, "unpin", {{"points", [&](const YAML::Node& value) {
+                                    unpin.points = reader.points(value, "points");
+                                  }}});
+  return unpin;
+}
+
+double readSeconds(const Reader& reader, const YAML::Node& node, const std::string& what) {
+  const double seconds = reader.number(node, what);
+  if (seconds < 0) reader.refuseAt(node, what, " ", seconds, " s is negative");
+  return seconds;
+}
+
+RecipeStep readStep(const Reader& reader, const YAML::Node& node, double fold_duration) {
+  std::vector<RecipeStep> steps;
+  double duration = fold_duration;
+  bool has_duration = false;
+  reader.readMap(
+      node, "a step",
+      {{"pin", [&](const YAML::Node& value) { steps.push_back(readPin(reader, value)); }},
+       {"unpin", [&](const YAML::Node& value) { steps.push_back(readUnpin(reader, value)); }},
+       {"fold",
+        [&](const YAML::Node& value) {
+          if (!value.IsSequence() || value.size() == 0) {
+            reader.refuseAt(value, "fold must be a list of folds");
+          }
+          FoldStep step;
+          for (const YAML::Node& entry : value) step.folds.push_back(readFoldEntry(reader, entry));
+          steps.push_back(step);
+        }},
+       {"duration",
+        [&](const YAML::Node& value) {
+          duration = readSeconds(reader, value, "duration");
+          has_duration = true;
+        }},
+       {"settle", [&](const YAML::Node& value) {
+          SettleStep step;
+          reader.readMap(value, "settle",
+                         {{"timeout",
+                           [&](const YAML::Node& timeout) {
+                             step.timeout = readSeconds(reader, timeout, "timeout");
+                           }},
+                          {"quasi_static", [&](const YAML::Node& at_once) {
+                             step.quasi_static = reader.truth(at_once, "quasi_static");
+                           }}});
+          steps.push_back(step);
+        }}});
+  if (steps.size() != 1) {
+    reader.refuseAt(node, "a step does one thing: pin, unpin, fold or settle, not ", steps.size());
+  }
+  FoldStep* fold = std::get_if<FoldStep>(&steps[0]);
+  if (has_duration && !fold) reader.refuseAt(node, "duration belongs to a fold");
+  if (fold) fold->duration = duration;
+  return steps[0];
+}
+
+void apply(const Overrides& overrides, const Reader& reader, YAML::Node root) {
+  for (const auto& [key, value] : overrides) {
+    YAML::Node place = root;
+    std::size_t start = 0;
+    for (std::size_t end; (end = key.find('/', start)) != std::string::npos; start = end + 1) {
+      place.reset(place[key.substr(start, end - start)]);
+      if (place.IsDefined() && !place.IsMap() && !place.IsNull()) {
+        reader.refuseAt(place, "'", key, "' does not lead to a value");
+      }
+    }
+    place[key.substr(start)] = loadBoundedYaml(value);
+  }
+}
+
+void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& folder,
+              Recipe& recipe) {
+  SimulationConfig& config = recipe.config;
+  YAML::Node steps;
+  reader.readMap(
+      root, "the recipe",
+      {{"sheet",
+        [&](const YAML::Node& node) {
+          readSheet(reader, node, folder, recipe.sheet, config.rest);
+        }},
+       {"material", [&](const YAML::Node& node) { readMaterial(reader, node, config.material); }},
+       {"solver", [&](const YAML::Node& node) { readSolver(reader, node, config.solver); }},
+       {"gravity",
+        [&](const YAML::Node& node) {
+          const auto g = reader.numbers(node, 3, "gravity");
+          config.gravity = {g[0], g[1], g[2]};
+        }},
+       {"fold_duration", reader.into(config.fold_duration, "fold_duration")},
+       {"view", [&](const YAML::Node& node) { readView(reader, node, recipe.view); }},
+       {"steps", [&](const YAML::Node& node) { steps = node; }}});
+  for (const auto& entry : root) recipe.stated.insert(entry.first.Scalar());
+  if (steps.IsDefined() && !steps.IsNull() && !steps.IsSequence()) {
+    reader.refuseAt(steps, "steps must be a list");
+  }
+  for (const YAML::Node& step : steps) {
+    recipe.steps.push_back(readStep(reader, step, config.fold_duration));
+  }
+}
+
+}  // namespace
+
+Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
+                  const SheetSource& sheet, const Overrides& overrides) {
+  const Reader reader(source.called);
+  Recipe recipe;
+  recipe.source = source;
+  recipe.name = fs::path(source.called).stem().string();
+  recipe.config = defaults;
+  recipe.sheet = sheet;
+  try {
+    YAML::Node root = loadBoundedYaml(source.text);
+    apply(overrides, reader, root);
+    readRoot(reader, root, source.folder, recipe);
+  } catch (const YAML::Exception& error) {
+    reject(source.called, ", line ", error.mark.line + 1, ": ", error.msg);
+  }
+  try {
+    checkConfig(recipe.config);
+  } catch (const std::invalid_argument& error) {
+    reject(source.called, ": ", error.what());
+  }
+  return recipe;
+}
+
+Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
+                  const SheetSource& sheet, const Overrides& overrides) {
+  std::error_code ignored;
+  // A pipe may never say a word, and /dev/zero never ends.
+  if (!fs::is_regular_file(path, ignored)) reject(path, ": there is no such file");
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) reject(path, ": the file cannot be read");
+  return readRecipe({path, fs::path(path).parent_path().string(), text}, defaults, sheet,
+                    overrides);
+}
+
+}  // namespace shell_origami

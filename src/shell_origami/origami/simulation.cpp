@@ -1,0 +1,275 @@
+#include <shell_origami/origami/simulation.h>
+
+#include <shell_origami/base/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace shell_origami {
+namespace {
+
+/// Slower than these parts of the sheet's size per second (squared), nothing is seen to move.
+constexpr double kSettledSpeed = 0.005;
+constexpr double kSettledAcceleration = 0.1;
+/// Below this part of the solver's tolerance [m/s] paper is at rest: speeds, and what accelerations
+/// add to them within a step.
+constexpr double kAtRest = 0.01;
+
+SimulationConfig checked(const SimulationConfig& config) {
+  checkConfig(config);
+  return config;
+}
+
+double rootMeanSquare(const Positions& values) {
+  return std::sqrt(values.squaredNorm() / values.cols());
+}
+
+}  // namespace
+
+Positions flatInSpace(const Sheet& sheet) {
+  Positions positions = Positions::Zero(3, sheet.vertexCount());
+  for (int v = 0; v < sheet.vertexCount(); ++v) {
+    positions.col(v).head<2>() = sheet.flatPositions()[v];
+  }
+  return positions;
+}
+
+/// Moves the rest angles along their ramps within one step, and vertices that frames hold along
+/// with these.
+class Simulation::StepDrive : public Drive {
+ public:
+  explicit StepDrive(const Simulation& simulation) : simulation_(simulation) {}
+
+  void moveTo(double s, Shell& shell, Positions& held) override {
+    const double t = simulation_.time_ + s * simulation_.config_.solver.time_step;
+    simulation_.creases_.apply(t, shell);
+    simulation_.held_.place(s, held);
+  }
+
+ private:
+  const Simulation& simulation_;
+};
+
+Simulation::Simulation(Sheet sheet, const SimulationConfig& config)
+    : Simulation(sheet, config, flatInSpace(sheet),
+                 std::vector<double>(sheet.creases().size(), std::nan(""))) {}
+
+Simulation::Simulation(Sheet sheet, const SimulationConfig& config, const Positions& positions,
+                       const std::vector<double>& rest_angles)
+    : config_(checked(config)),
+      sheet_(std::move(sheet)),
+      shell_(sheet_, config_.material, config_.gravity),
+      motion_{positions, Positions::Zero(3, positions.cols()),
+              Positions::Zero(3, positions.cols())},
+      rest_(config_.rest, sheet_),
+      stepper_(config_.solver) {
+  if (positions.cols() != sheet_.vertexCount() || !positions.allFinite()) {
+    reject("the sheet has ", sheet_.vertexCount(), " vertices, but ", positions.cols(),
+           " finite positions are needed");
+  }
+  if (rest_angles.size() != sheet_.creases().size()) {
+    reject("the sheet has ", sheet_.creases().size(), " creases, but ", rest_angles.size(),
+           " rest angles are given");
+  }
+  creases_ = CreaseActuation(rest_angles, config_.material.crease_stiffness, shell_, positions);
+  topologyChanged();
+}
+
+Simulation::Simulation(const Snapshot& snapshot)
+    : config_(checked(snapshot.config)),
+      sheet_(snapshot.sheet),
+      shell_(sheet_, config_.material, config_.gravity),
+      motion_(snapshot.motion),
+      creases_(snapshot.creases),
+      rest_(snapshot.rest),
+      held_(snapshot.held),
+      stepper_(config_.solver),
+      counters_(snapshot.counters),
+      time_(snapshot.time),
+      resting_(snapshot.resting) {
+  topologyChanged();
+  stepper_.restoreState(snapshot.memory);
+}
+
+Snapshot Simulation::snapshot() const {
+  return {config_,           sheet_,    motion_, creases_, rest_, held_,
+          stepper_.memory(), counters_, time_,   resting_};
+}
+
+void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_before) {
+  creases_.follow(remap, creases_before, sheet_.creases());
+  rest_.follow(remap, sheet_);
+  motion_.positions = remap.apply(motion_.positions, sheet_.vertexCount());
+  motion_.velocities = remap.apply(motion_.velocities, sheet_.vertexCount());
+  motion_.accelerations = remap.apply(motion_.accelerations, sheet_.vertexCount());
+  held_.follow(motion_.positions);
+  topologyChanged();
+}
+
+void Simulation::topologyChanged() {
+  shell_ = Shell(sheet_, config_.material, config_.gravity);
+  creases_.apply(time_, shell_);
+  rest_.apply(shell_);
+  pinsChanged();
+}
+
+void Simulation::pinsChanged() {
+  std::vector<bool> free(sheet_.vertexCount(), true);
+  for (int v : held_.all()) free[v] = false;
+  for (int v : held_.inPlace()) {
+    motion_.velocities.col(v).setZero();
+    motion_.accelerations.col(v).setZero();
+  }
+  stepper_.setTopology(std::move(free));
+}
+
+/// Adds to the counters, and to a failure where on the paper it happened.
+StepReport Simulation::counted(StepReport report) {
+  if (!report.converged && report.vertex >= 0) {
+    const Vector2& p = sheet_.flatPositions()[report.vertex];
+    std::ostringstream place;
+    place << report.failure << ", at vertex " << report.vertex << ", (" << p.x() << ", " << p.y()
+          << ") of the flat sheet";
+    report.failure = place.str();
+  }
+  counters_.newton_iterations += report.newton_iterations;
+  counters_.factorizations += report.factorizations;
+  counters_.retries += report.retries;
+  counters_.times += report.times;
+  return report;
+}
+
+StepReport Simulation::step() {
+  if (resting_) {
+    ++counters_.steps;
+    time_ += config_.solver.time_step;
+    return {};
+  }
+  StepDrive drive(*this);
+  const SolverState memory = stepper_.memory();
+  const StepReport report =
+      counted(stepper_.step(shell_, config_.material.air_damping, drive, motion_));
+  if (!report.converged) {
+    held_.stay();
+    creases_.apply(time_, shell_);
+    stepper_.restoreState(memory);
+    return report;
+  }
+  held_.arrive();
+  ++counters_.steps;
+  time_ += config_.solver.time_step;
+  creases_.creep(time_, config_.solver.time_step, sheet_, shell_, motion_.positions);
+  creases_.yield(time_, config_.material, shell_, motion_.positions);
+  rest_.yield(config_.material, motion_.positions, shell_);
+  creases_.apply(time_, shell_);
+  resting_ = atRest();
+  if (resting_) {
+    motion_.velocities.setZero();
+    motion_.accelerations.setZero();
+  }
+  return report;
+}
+
+StepReport Simulation::settle() {
+  const CreaseActuation before = creases_;
+  const SolverState memory = stepper_.memory();
+  const auto give_way = [this](Shell& shell, const Positions& positions) {
+    creases_.creep(time_, config_.solver.time_step, sheet_, shell, positions);
+    creases_.apply(time_, shell);
+  };
+  const StepReport report = counted(stepper_.relax(shell_, give_way, motion_));
+  if (!report.converged) {
+    creases_ = before;
+    creases_.apply(time_, shell_);
+    stepper_.restoreState(memory);
+    return report;
+  }
+  EditRecord edit;
+  edit.kind = EditRecord::kSettle;
+  record(std::move(edit));
+  return report;
+}
+
+std::vector<CreaseStatus> Simulation::creases() const {
+  std::vector<CreaseStatus> result;
+  for (std::size_t i = 0; i < sheet_.creases().size(); ++i) {
+    CreaseStatus status;
+    status.id = sheet_.creases()[i].id;
+    status.name = sheet_.creases()[i].name;
+    status.angle = meanAngle(static_cast<int>(i), shell_, motion_.positions);
+    status.rest_angle = creases_.ramps()[i].angleAt(time_);
+    status.target_angle = creases_.ramps()[i].target;
+    status.driven = creases_.ramps()[i].driven;
+    status.angle_min = M_PI;
+    status.angle_max = -M_PI;
+    double length = 0;
+    for (int j : shell_.creaseHinges()[i]) {
+      const double angle = shell_.foldAngle(j, motion_.positions);
+      const double weight = shell_.hinges()[j].length;
+      status.moment += weight * shell_.moment(j, angle);
+      status.angle_min = std::min(status.angle_min, angle);
+      status.angle_max = std::max(status.angle_max, angle);
+      length += weight;
+    }
+    status.moment /= length;
+    result.push_back(std::move(status));
+  }
+  return result;
+}
+
+Energies Simulation::energies() const {
+  Energies energies;
+  energies.membrane = shell_.membraneEnergy(motion_.positions);
+  energies.bending = shell_.bendingEnergy(motion_.positions);
+  energies.gravity = shell_.gravityEnergy(motion_.positions);
+  energies.kinetic =
+      motion_.velocities.colwise().squaredNorm().dot(shell_.masses().transpose()) / 2;
+  return energies;
+}
+
+// Free vertices are in balance, M a + c M v + dW/dx = 0; what is missing at a held one, its holder
+// adds.
+std::map<std::string, Wrench> Simulation::holdingWrenches() const {
+  Positions forces = (motion_.accelerations + config_.material.air_damping * motion_.velocities) *
+                     shell_.masses().asDiagonal();
+  shell_.addGradient(motion_.positions, forces);
+  const auto add = [&](int v, const Pose& pose, Wrench& wrench) {
+    const Vector3 force = pose.orientation.conjugate() * Vector3(forces.col(v));
+    wrench.force += force;
+    wrench.torque += pose.fromWorld(motion_.positions.col(v)).cross(force);
+  };
+  std::map<std::string, Wrench> wrenches;
+  for (int v : held_.inPlace()) add(v, {}, wrenches[""]);
+  for (const auto& [frame, grip] : held_.grips()) {
+    for (const auto& [v, place] : grip.places) add(v, grip.pose, wrenches[frame]);
+  }
+  return wrenches;
+}
+
+double Simulation::maxStrain() const {
+  double largest = 0;
+  for (const Edge& edge : sheet_.edges()) {
+    const auto [a, b] = edge.vertices;
+    const double flat = (sheet_.flatPositions()[a] - sheet_.flatPositions()[b]).norm();
+    const double now = (motion_.positions.col(a) - motion_.positions.col(b)).norm();
+    largest = std::max(largest, std::abs(now / flat - 1));
+  }
+  return largest;
+}
+
+bool Simulation::folding() const { return creases_.runningAt(time_); }
+
+bool Simulation::atRest() const {
+  const double still = kAtRest * config_.solver.tolerance;
+  return !folding() && rootMeanSquare(motion_.velocities) < still &&
+         rootMeanSquare(motion_.accelerations) * config_.solver.time_step < still;
+}
+
+bool Simulation::settled() const {
+  return !folding() && rootMeanSquare(motion_.velocities) < kSettledSpeed * sheet_.size() &&
+         rootMeanSquare(motion_.accelerations) < kSettledAcceleration * sheet_.size();
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,304 @@
+#include <shell_origami/origami/snapshot.h>
+
+#include <shell_origami/base/error.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+// CBOR and shortest decimals, into which this is written, keep every bit of a number.
+
+namespace shell_origami {
+namespace {
+
+using Json = nlohmann::json;
+
+template <class Value>
+std::string wordFor(const std::map<std::string, Value>& words, Value value) {
+  for (const auto& [word, known] : words) {
+    if (known == value) return word;
+  }
+  reject("a word is missing");
+}
+
+template <class Value>
+Value meaningOf(const std::map<std::string, Value>& words, const Json& json) {
+  const auto found = words.find(json.get<std::string>());
+  if (found == words.end()) reject("unknown word ", json);
+  return found->second;
+}
+
+template <class Vector>
+Json numbers(const Vector& values) {
+  return std::vector<double>(values.data(), values.data() + values.size());
+}
+
+Vector3 vectorFrom(const Json& json) {
+  const auto values = json.get<std::array<double, 3>>();
+  return {values[0], values[1], values[2]};
+}
+
+Positions columns(const Json& json, int count) {
+  const auto values = json.get<std::vector<double>>();
+  if (values.size() != 3 * static_cast<std::size_t>(count)) {
+    reject(count, " vertices, but ", values.size(), " coordinates");
+  }
+  Positions result = Eigen::Map<const Positions>(values.data(), 3, count);
+  if (!result.allFinite()) reject("a coordinate is not finite");
+  return result;
+}
+
+Json write(const Material& m) {
+  return {{"youngs_modulus", m.youngs_modulus},
+          {"poisson_ratio", m.poisson_ratio},
+          {"thickness", m.thickness},
+          {"density", m.density},
+          {"crease_stiffness", m.crease_stiffness},
+          {"air_damping", m.air_damping},
+          {"membrane", wordFor(membraneNames(), m.membrane)},
+          {"crease_height_term", m.crease_height_term},
+          {"yield_curvature", m.yield_curvature},
+          {"hardening", m.hardening}};
+}
+
+Material readMaterial(const Json& json) {
+  Material m;
+  m.youngs_modulus = json.at("youngs_modulus");
+  m.poisson_ratio = json.at("poisson_ratio");
+  m.thickness = json.at("thickness");
+  m.density = json.at("density");
+  m.crease_stiffness = json.at("crease_stiffness");
+  m.air_damping = json.at("air_damping");
+  m.membrane = meaningOf(membraneNames(), json.at("membrane"));
+  m.crease_height_term = json.at("crease_height_term");
+  m.yield_curvature = json.at("yield_curvature");
+  m.hardening = json.at("hardening");
+  return m;
+}
+
+Json write(const SolverConfig& s) {
+  return {{"integrator", wordFor(integratorNames(), s.integrator)},
+          {"time_step", s.time_step},
+          {"beta", s.beta},
+          {"gamma", s.gamma},
+          {"tolerance", s.tolerance},
+          {"max_iterations", s.max_iterations}};
+}
+
+SolverConfig readSolver(const Json& json) {
+  SolverConfig s;
+  s.integrator = meaningOf(integratorNames(), json.at("integrator"));
+  s.time_step = json.at("time_step");
+  s.beta = json.at("beta");
+  s.gamma = json.at("gamma");
+  s.tolerance = json.at("tolerance");
+  s.max_iterations = json.at("max_iterations");
+  return s;
+}
+
+Json write(const SimulationConfig& config) {
+  return {{"material", write(config.material)}, {"gravity", numbers(config.gravity)},
+          {"solver", write(config.solver)},     {"fold_duration", config.fold_duration},
+          {"curvature", config.rest.curvature}, {"axis", config.rest.axis}};
+}
+
+SimulationConfig readConfig(const Json& json) {
+  SimulationConfig config;
+  config.material = readMaterial(json.at("material"));
+  config.gravity = vectorFrom(json.at("gravity"));
+  config.solver = readSolver(json.at("solver"));
+  config.fold_duration = json.at("fold_duration");
+  config.rest.curvature = json.at("curvature");
+  config.rest.axis = json.at("axis");
+  return config;
+}
+
+Json write(const Sheet& sheet) {
+  Json points = Json::array(), creases = Json::array();
+  for (const Vector2& p : sheet.flatPositions()) {
+    points.push_back(p.x());
+    points.push_back(p.y());
+  }
+  for (const Crease& crease : sheet.creases()) {
+    creases.push_back({{"id", crease.id},
+                       {"name", crease.name},
+                       {"vertices", crease.vertices},
+                       {"pattern_angle", crease.pattern_angle}});
+  }
+  return {{"points", points},
+          {"triangles", sheet.triangles()},
+          {"creases", creases},
+          {"revision", sheet.revision()},
+          {"next_crease_id", sheet.nextCreaseId()}};
+}
+
+void checkIds(const std::vector<int>& vertices, std::size_t count) {
+  for (int v : vertices) {
+    if (v < 0 || v >= static_cast<int>(count)) reject("there is no vertex ", v);
+  }
+}
+
+Sheet readSheet(const Json& json) {
+  const auto coordinates = json.at("points").get<std::vector<double>>();
+  std::vector<Vector2> points;
+  for (std::size_t i = 0; i + 1 < coordinates.size(); i += 2) {
+    points.emplace_back(coordinates[i], coordinates[i + 1]);
+  }
+  std::vector<Crease> creases;
+  for (const Json& entry : json.at("creases")) {
+    Crease crease;
+    crease.id = entry.at("id");
+    crease.name = entry.at("name");
+    crease.vertices = entry.at("vertices").get<std::vector<int>>();
+    crease.pattern_angle = entry.at("pattern_angle");
+    checkIds(crease.vertices, points.size());
+    creases.push_back(std::move(crease));
+  }
+  Sheet sheet(Triangulation(std::move(points), json.at("triangles").get<std::vector<Triangle>>()),
+              std::move(creases));
+  sheet.restore(json.at("revision"), json.at("next_crease_id"));
+  return sheet;
+}
+
+Json write(const FoldRamp& ramp) {
+  return {ramp.driven ? 1 : 0, ramp.from,     ramp.target,    ramp.lead_from, ramp.lead_target,
+          ramp.start,          ramp.duration, ramp.stiffness, ramp.set};
+}
+
+FoldRamp readRamp(const Json& json) {
+  const auto n = json.get<std::array<double, 9>>();
+  for (double number : n) {
+    if (!std::isfinite(number)) reject("a ramp is not finite");
+  }
+  return {n[0] != 0, n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]};
+}
+
+CreaseActuation readCreases(const Json& json, const Sheet& sheet) {
+  std::vector<FoldRamp> ramps;
+  for (const Json& entry : json.at("ramps")) ramps.push_back(readRamp(entry));
+  if (ramps.size() != sheet.creases().size()) {
+    reject(sheet.creases().size(), " creases, but ", ramps.size(), " ramps");
+  }
+  return CreaseActuation(std::move(ramps), json.at("stiffness").get<double>());
+}
+
+RestShape readRest(const Json& json, const NaturalCurvature& roll, const Sheet& sheet) {
+  auto set = json.at("set").get<std::vector<double>>();
+  auto plastic = json.at("plastic").get<std::vector<double>>();
+  const std::size_t edges = sheet.edges().size();
+  if (set.size() != edges || plastic.size() != edges) reject("bends of other edges");
+  return RestShape(roll, sheet, std::move(set), std::move(plastic));
+}
+
+Json write(const HeldVertices& held) {
+  Json grips = Json::object();
+  for (const auto& [frame, grip] : held.grips()) {
+    Json places = Json::array();
+    for (const auto& [v, place] : grip.places) {
+      places.push_back({{"vertex", v}, {"place", numbers(place)}});
+    }
+    grips[frame] = {{"position", numbers(grip.pose.position)},
+                    {"orientation", numbers(grip.pose.orientation.coeffs())},
+                    {"places", places}};
+  }
+  return {{"in_place", held.inPlace()}, {"grips", grips}};
+}
+
+HeldVertices readHeld(const Json& json, int vertex_count) {
+  std::map<std::string, Grip> grips;
+  for (const auto& [frame, entry] : json.at("grips").items()) {
+    Grip& grip = grips[frame];
+    grip.pose.position = vectorFrom(entry.at("position"));
+    const auto q = entry.at("orientation").get<std::array<double, 4>>();
+    grip.pose.orientation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
+    checkPose(grip.pose);
+    for (const Json& place : entry.at("places")) {
+      const int v = place.at("vertex");
+      checkIds({v}, vertex_count);
+      grip.places[v] = vectorFrom(place.at("place"));
+    }
+  }
+  const auto in_place = json.at("in_place").get<std::vector<int>>();
+  checkIds(in_place, vertex_count);
+  return HeldVertices(in_place, std::move(grips));
+}
+
+Snapshot read(const Json& json) {
+  const SimulationConfig config = readConfig(json.at("config"));
+  checkConfig(config);
+  Sheet sheet = readSheet(json.at("sheet"));
+  sheet.validate();
+  const int count = sheet.vertexCount();
+  Motion motion{columns(json.at("positions"), count), columns(json.at("velocities"), count),
+                columns(json.at("accelerations"), count), json.at("acceleration_persistence")};
+  CreaseActuation creases = readCreases(json.at("creases"), sheet);
+  RestShape rest = readRest(json.at("rest"), config.rest, sheet);
+  const Json& memory = json.at("memory");
+  return {config,
+          std::move(sheet),
+          std::move(motion),
+          std::move(creases),
+          std::move(rest),
+          readHeld(json.at("held"), count),
+          {memory.at("contraction"), memory.at("unchecked")},
+          countersFrom(json.at("counters")),
+          json.at("time"),
+          json.at("resting")};
+}
+
+}  // namespace
+
+Json toJson(const Counters& counters) {
+  return {{"steps", counters.steps},
+          {"newton_iterations", counters.newton_iterations},
+          {"factorizations", counters.factorizations},
+          {"retries", counters.retries}};
+}
+
+Counters countersFrom(const Json& json) {
+  Counters counters;
+  counters.steps = json.at("steps");
+  counters.newton_iterations = json.at("newton_iterations");
+  counters.factorizations = json.at("factorizations");
+  counters.retries = json.at("retries");
+  return counters;
+}
+
+Counters& Counters::operator+=(const Counters& other) {
+  steps += other.steps;
+  newton_iterations += other.newton_iterations;
+  factorizations += other.factorizations;
+  retries += other.retries;
+  times += other.times;
+  return *this;
+}
+
+Json toJson(const Snapshot& snapshot) {
+  Json ramps = Json::array();
+  for (const FoldRamp& ramp : snapshot.creases.ramps()) ramps.push_back(write(ramp));
+  return {
+      {"config", write(snapshot.config)},
+      {"sheet", write(snapshot.sheet)},
+      {"positions", numbers(snapshot.motion.positions)},
+      {"velocities", numbers(snapshot.motion.velocities)},
+      {"accelerations", numbers(snapshot.motion.accelerations)},
+      {"acceleration_persistence", snapshot.motion.acceleration_persistence},
+      {"creases", {{"ramps", ramps}, {"stiffness", snapshot.creases.stiffness()}}},
+      {"rest", {{"set", snapshot.rest.set()}, {"plastic", snapshot.rest.plastic()}}},
+      {"held", write(snapshot.held)},
+      {"memory",
+       {{"contraction", snapshot.memory.contraction}, {"unchecked", snapshot.memory.unchecked}}},
+      {"counters", toJson(snapshot.counters)},
+      {"time", snapshot.time},
+      {"resting", snapshot.resting}};
+}
+
+Snapshot snapshotFrom(const Json& json) {
+  try {
+    return read(json);
+  } catch (const std::exception& error) {
+    reject("the snapshot is of no paper: ", error.what());
+  }
+}
+
+}  // namespace shell_origami

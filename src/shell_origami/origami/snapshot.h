@@ -1,0 +1,49 @@
+/// \file
+/// All that a simulation is at one moment, and how it is kept in a file or a recording.
+#pragma once
+
+#include <shell_origami/dynamics/newton.h>
+#include <shell_origami/energy/rest_shape.h>
+#include <shell_origami/origami/config.h>
+#include <shell_origami/origami/crease_actuation.h>
+#include <shell_origami/origami/held_vertices.h>
+
+#include <nlohmann/json.hpp>
+
+namespace shell_origami {
+
+/// Sums over the life of the simulation.
+struct Counters {
+  std::uint64_t steps = 0;
+  std::uint64_t newton_iterations = 0;
+  std::uint64_t factorizations = 0;
+  std::uint64_t retries = 0;
+  SolverTimes times;
+
+  Counters& operator+=(const Counters& other);
+};
+
+/// A simulation made of it goes on as the one it was taken of, to the bit.
+struct Snapshot {
+  SimulationConfig config;
+  Sheet sheet;
+  Motion motion;
+  CreaseActuation creases;
+  RestShape rest;
+  HeldVertices held;
+  SolverState memory;
+  Counters counters;
+  double time = 0;  ///< [s]
+  bool resting = false;
+};
+
+nlohmann::json toJson(const Counters& counters);
+/// \throws nlohmann::json::exception
+Counters countersFrom(const nlohmann::json& json);
+
+/// Exact: what is read back is what was written, but for Counters::times.
+nlohmann::json toJson(const Snapshot& snapshot);
+/// \throws std::invalid_argument with one sentence when it is none of a paper.
+Snapshot snapshotFrom(const nlohmann::json& json);
+
+}  // namespace shell_origami

@@ -1,0 +1,56 @@
+/// \file
+/// An edit of a sheet under way: works on a copy and hands it back whole.
+#pragma once
+
+#include <shell_origami/mesh/material_mesh.h>
+#include <shell_origami/sheet/fold_line.h>
+
+#include <optional>
+#include <vector>
+
+namespace shell_origami {
+
+class SheetEditor {
+ public:
+  SheetEditor(const Sheet& sheet, const EditContext& context);
+
+  /// The vertex at p: one that is there, one close by that may be shifted there, or a new one. On a
+  /// slit it is on the side that lies towards `ahead`, if one does.
+  /// \throws std::invalid_argument off the paper
+  int insertPoint(const Vector2& p, const Vector2& ahead);
+  /// Makes the straight line from one vertex to another run along edges and returns the vertices
+  /// of its parts inside the paper, in order. Edges that carried no crease form a new one.
+  std::vector<std::vector<int>> insertLine(int from, int to);
+  MaterialMesh& mesh() { return mesh_; }
+
+  /// Gives the edit to the sheet and bumps its revision. Creases are gathered from the labels;
+  /// `name` goes to those that are new on the polyline.
+  FoldLine commit(Sheet& sheet, const std::vector<std::vector<int>>& parts,
+                  const std::string& name);
+
+ private:
+  /// A crease under way: the parent it was cut off, or none.
+  struct NewCrease {
+    std::optional<int> parent;  ///< index of the old crease
+  };
+  int addCrease(std::optional<int> parent);
+  bool coincide(int v, int w) const;
+  std::optional<int> nextOnLine(int current, int to, const Segment& line) const;
+  std::optional<Triangulation::Side> crossedSide(int current, const Segment& line) const;
+  int reenter(int current, const Segment& line);
+  bool pullOntoLine(int current, const std::array<int, 2>& ends, const Segment& line);
+  /// Shifts v to p if that changes neither outline, creases nor shape and leaves no sliver.
+  bool shiftTo(int v, const Vector2& p);
+  int vertexAt(const Vector2& p, const Vector2& ahead);
+  std::vector<std::vector<int>> partsInside(const std::vector<int>& polyline) const;
+  void label(const std::vector<std::vector<int>>& parts);
+  std::vector<Crease> gatherCreases(Sheet& sheet, const std::vector<std::vector<int>>& parts,
+                                    const std::string& name, std::vector<Remap::Born>& born);
+
+  MaterialMesh mesh_;
+  const std::vector<Crease>& old_creases_;
+  std::vector<NewCrease> new_creases_;
+  std::vector<int> protected_;  ///< ends of the line, which stay
+};
+
+}  // namespace shell_origami

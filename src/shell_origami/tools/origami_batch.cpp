@@ -1,0 +1,160 @@
+/// \file
+/// origami_batch: folds a recipe without a ROS master.
+#include <shell_origami/fold_format/fold_file.h>
+#include <shell_origami/origami/recipe.h>
+#include <shell_origami/origami/report.h>
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace shell_origami;
+
+constexpr const char* kUsage =
+    "usage: origami_batch RECIPE.yaml --out DIR [--set key=value ...] [--every SECONDS]\n"
+    "  --out DIR        folder for final.fold, final.obj, frames.fold and report.json\n"
+    "  --set key=value  overrides one value of the recipe, such as material/thickness=2e-4\n"
+    "  --every SECONDS  simulated time between the frames of frames.fold (default 0.1)\n";
+
+struct Options {
+  std::string recipe;
+  std::string out;
+  double every = 0.1;  // [s]
+  Overrides overrides;
+};
+
+std::pair<std::string, std::string> splitOverride(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw std::invalid_argument("--set takes key=value, not '" + text + "'");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+double positiveNumber(const std::string& option, const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || *end != '\0' || !(value > 0) || !std::isfinite(value)) {
+    throw std::invalid_argument(option + " takes a positive number, not '" + text + "'");
+  }
+  return value;
+}
+
+Options parse(const std::vector<std::string>& arguments) {
+  Options options;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    const auto value = [&]() -> const std::string& {
+      if (i + 1 == arguments.size()) throw std::invalid_argument(word + " needs a value");
+      return arguments[++i];
+    };
+    if (word == "--out") options.out = value();
+    else if (word == "--set") options.overrides.push_back(splitOverride(value()));
+    else if (word == "--every") options.every = positiveNumber(word, value());
+    else if (word.rfind("--", 0) == 0) throw std::invalid_argument("unknown option " + word);
+    else if (options.recipe.empty()) options.recipe = word;
+    else throw std::invalid_argument("more than one recipe: " + options.recipe + ", " + word);
+  }
+  if (options.recipe.empty()) throw std::invalid_argument("no recipe is given");
+  if (options.out.empty()) throw std::invalid_argument("--out DIR is missing");
+  return options;
+}
+
+/// A line that is drawn over itself, on a terminal only.
+class ProgressBar {
+ public:
+  void draw(const RecipeRunner& runner, const Simulation& simulation) {
+    if (!isatty(STDERR_FILENO)) return;
+    const double progress = runner.progress(simulation);
+    const int percent = static_cast<int>(100 * progress);
+    if (percent == percent_) return;
+    percent_ = percent;
+    std::string bar(40, ' ');
+    bar.replace(0, percent * 40 / 100, std::string(percent * 40 / 100, '='));
+    std::fprintf(stderr, "\r[%s] %3d %%  %-8s %s", bar.c_str(), percent, runner.doing().c_str(),
+                 percent == 100 ? "\n" : "");
+  }
+
+ private:
+  int percent_ = -1;
+};
+
+/// frames.fold: the flat pattern at the end, and one folded frame per instant. The first frame of
+/// every revision of the sheet brings its own mesh, those that follow inherit it.
+class Frames {
+ public:
+  explicit Frames(double every) : every_(every) {}
+
+  void add(const Simulation& simulation) {
+    if (simulation.time() + 1e-9 < next_) return;
+    next_ += every_;
+    const bool brings_mesh = frames_.empty() || simulation.sheet().revision() != revision_;
+    if (brings_mesh) {
+      revision_ = simulation.sheet().revision();
+      mesh_frame_ = static_cast<int>(frames_.size()) + 1;  // the key frame is number 0
+    }
+    frames_.push_back(foldFrame(simulation, brings_mesh ? 0 : mesh_frame_));
+  }
+  TextFile file(const Simulation& simulation, const std::string& title) const {
+    nlohmann::json document = foldDocument(simulation, title);
+    document["file_classes"] = {"singleModel", "animation"};
+    document["file_frames"] = frames_;
+    return {"frames.fold", foldText(document)};
+  }
+
+ private:
+  double every_;
+  double next_ = 0;
+  std::uint32_t revision_ = 0;
+  int mesh_frame_ = 0;
+  std::vector<nlohmann::json> frames_;
+};
+
+int fold(const Options& options) {
+  RecipeRunner runner(loadRecipe(options.recipe, {}, {}, options.overrides));
+  Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config);
+  Frames frames(options.every);
+  ProgressBar bar;
+  const auto start = std::chrono::steady_clock::now();
+  while (runner.update(simulation)) {
+    frames.add(simulation);
+    const StepReport report = simulation.step();
+    if (!report.converged) {
+      std::cerr << "origami_batch: at " << simulation.time() << " s: " << report.failure << "\n";
+      return 1;
+    }
+    bar.draw(runner, simulation);
+  }
+  bar.draw(runner, simulation);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  const std::string& name = runner.recipe().name;
+  writeResults(simulation, name, wall.count(), options.out, {frames.file(simulation, name)});
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  for (const std::string& word : arguments) {
+    if (word == "--help" || word == "-h") {
+      std::cout << kUsage;
+      return 0;
+    }
+  }
+  try {
+    return fold(parse(arguments));
+  } catch (const std::exception& error) {
+    std::cerr << "origami_batch: " << error.what() << "\n";
+    return 1;
+  }
+}

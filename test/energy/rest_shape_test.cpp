@@ -1,0 +1,130 @@
+#include <shell_origami/energy/rest_shape.h>
+
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/sheet/fold_line.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace shell_origami {
+namespace {
+
+constexpr double kCurvature = 30;  // [1/m]
+
+/// The sheet rolled up around an axis through the origin.
+Positions rolledUp(const Sheet& sheet, double axis) {
+  const Vector2 along(std::cos(axis), std::sin(axis)), around(along.y(), -along.x());
+  Positions x(3, sheet.vertexCount());
+  for (int v = 0; v < sheet.vertexCount(); ++v) {
+    const Vector2& p = sheet.flatPositions()[v];
+    const double angle = kCurvature * around.dot(p);
+    x.col(v).head<2>() = along.dot(p) * along + std::sin(angle) / kCurvature * around;
+    x(2, v) = (1 - std::cos(angle)) / kCurvature;
+  }
+  return x;
+}
+
+Sheet paper() { return Sheet(triangulateRectangle(0.1, 0.1, 0.01)); }
+
+double bending(const Sheet& sheet, const RestShape& rest, const Positions& x) {
+  Shell shell(sheet, {}, Vector3::Zero());
+  rest.apply(shell);
+  return shell.bendingEnergy(x);
+}
+
+TEST(RestShape, ARolledSheetRestsOnItsCylinder) {
+  for (const double axis : {0.0, 0.5, 1.5708, 2.5}) {
+    const Sheet sheet = paper();
+    const RestShape rest({kCurvature, axis}, sheet);
+    EXPECT_LT(bending(sheet, rest, rolledUp(sheet, axis)), 1e-20);
+    // Flat it has the plate's energy of that curvature, B/2 kappa^2 per area.
+    const double plate = Material{}.bendingStiffness() / 2 * kCurvature * kCurvature * 0.01;
+    Positions flat = rolledUp(sheet, axis);
+    for (int v = 0; v < sheet.vertexCount(); ++v) {
+      flat.col(v) << sheet.flatPositions()[v], 0;
+    }
+    // A fiftieth of the sheet lies beyond the outer hinges.
+    EXPECT_NEAR(bending(sheet, rest, flat) / plate, 1, 0.12);
+  }
+}
+
+TEST(RestShape, ARollSurvivesEdgeMaking) {
+  Sheet sheet = paper();
+  RestShape rest({kCurvature, 0.5}, sheet);
+  const Remap remap = makeFoldLine(sheet, {Vector2(0.013, 0), Vector2(0.08, 0.1)}).remap;
+  rest.follow(remap, sheet);
+  Shell shell(sheet, {}, Vector3::Zero());
+  rest.apply(shell);
+  const Positions x = rolledUp(sheet, 0.5);
+  for (int j = 0; j < static_cast<int>(shell.hinges().size()); ++j) {
+    if (shell.hinges()[j].crease >= 0) continue;
+    EXPECT_NEAR(shell.foldAngle(j, x), shell.hinges()[j].rest_angle.radians, 1e-12);
+  }
+}
+
+/// A sheet bent to a curvature along y, as far as it takes one.
+struct Bent {
+  Sheet sheet = paper();
+  RestShape rest{NaturalCurvature{}, sheet};
+  Shell shell{sheet, {}, Vector3::Zero()};
+  Positions x = rolledUp(sheet, 1.5708);
+};
+
+TEST(RestShape, PaperBentFurtherThanItsYieldCurvatureKeepsTheExcess) {
+  for (const double hardening : {0.0, 0.5, -0.3}) {
+    Bent bent;
+    Material material;
+    material.yield_curvature = 20;
+    material.hardening = hardening;
+    bent.rest.yield(material, bent.x, bent.shell);
+    int yielded = 0;
+    for (int j = 0; j < static_cast<int>(bent.shell.hinges().size()); ++j) {
+      const Hinge& hinge = bent.shell.hinges()[j];
+      const double angle = bent.shell.foldAngle(j, bent.x), curvature = angle / hinge.width;
+      const double excess = std::max(0.0, std::abs(curvature) - 20);
+      EXPECT_NEAR(hinge.rest_angle.radians,
+                  std::copysign(excess / (1 + hardening) * hinge.width, angle), 1e-12);
+      yielded += excess > 0;
+    }
+    EXPECT_GT(yielded, 50);
+    // Held there it yields no further; the law is a rate-independent one.
+    const double before = bent.shell.hinges()[10].rest_angle.radians;
+    bent.rest.yield(material, bent.x, bent.shell);
+    EXPECT_NEAR(bent.shell.hinges()[10].rest_angle.radians, before, 1e-12);
+  }
+}
+
+TEST(RestShape, ElasticPaperKeepsNothing) {
+  Bent bent;
+  bent.rest.yield({}, bent.x, bent.shell);
+  for (const Hinge& hinge : bent.shell.hinges()) EXPECT_EQ(hinge.rest_angle.radians, 0);
+}
+
+TEST(RestShape, WhatYieldedSurvivesEdgeMaking) {
+  Bent bent;
+  Material material;
+  material.yield_curvature = 10;
+  bent.rest.yield(material, bent.x, bent.shell);
+  const Sheet before = bent.sheet;
+  std::vector<double> set(before.edges().size());
+  for (const Hinge& hinge : bent.shell.hinges()) set[hinge.edge] = hinge.rest_angle.radians;
+
+  const EditContext context{&bent.x, {}};
+  const Remap remap =
+      makeFoldLine(bent.sheet, {Vector2(0.02, 0), Vector2(0.07, 0.1)}, "", context).remap;
+  bent.rest.follow(remap, bent.sheet);
+  Shell shell(bent.sheet, {}, Vector3::Zero());
+  bent.rest.apply(shell);
+  int kept = 0;
+  for (const Hinge& hinge : shell.hinges()) {
+    if (hinge.crease >= 0) continue;
+    const int parent = remap.edges[hinge.edge];
+    EXPECT_EQ(hinge.rest_angle.radians, parent == Remap::kNone ? 0 : set[parent]);
+    kept += parent != Remap::kNone && set[parent] != 0;
+  }
+  EXPECT_GT(kept, 50);
+}
+
+}  // namespace
+}  // namespace shell_origami

@@ -1,0 +1,139 @@
+/// Folded forms of FOLD files, over their own vertices and over a finer mesh.
+#include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/sheet/fold_line.h>
+#include "test/fold_format/fold_samples.h"
+#include "test/sheet/random_sheets.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shell_origami {
+namespace {
+
+constexpr double kSide = 0.15;
+
+/// Largest relative change of an edge's length in space.
+double largestStrain(const FoldPaper& paper) {
+  const auto& flat = paper.sheet.flatPositions();
+  double largest = 0;
+  for (const Edge& edge : paper.sheet.edges()) {
+    const auto [a, b] = edge.vertices;
+    const double length = (paper.positions->col(a) - paper.positions->col(b)).norm();
+    largest = std::max(largest, std::abs(length / (flat[a] - flat[b]).norm() - 1));
+  }
+  return largest;
+}
+
+/// The point of a paper folded along the line through p and q: what lies left of it is turned.
+Vector3 folded(const Vector2& point, const Vector2& p, const Vector2& q, double angle) {
+  const Vector2 along = (q - p).normalized(), left(-along.y(), along.x());
+  const double s = along.dot(point - p), t = left.dot(point - p);
+  const Vector2 on_line = p + s * along;
+  const Vector2 turned = on_line + (t > 0 ? std::cos(angle) : 1) * t * left;
+  return {turned.x(), turned.y(), t > 0 ? std::sin(angle) * t : 0};
+}
+
+TEST(FoldedForm, ofOurOwnFileStandsAtEveryFineness) {
+  const Vector2 p(0.031, 0), q(0.092, kSide);
+  for (const double angle : {1.2, -2.9}) {
+    Sheet sheet(triangulateRectangle(kSide, kSide, 0.03));
+    makeFoldLine(sheet, {p, q});
+    Positions positions(3, sheet.vertexCount());
+    for (int v = 0; v < sheet.vertexCount(); ++v) {
+      positions.col(v) = folded(sheet.flatPositions()[v], p, q, angle);
+    }
+    json document = writeFold(sheet, {{angle, angle}}, positions, "folded");
+    document.erase("shell_origami:creases");  // so that the crease's angle is measured
+    for (const double max_edge : {0.0, 0.05, 0.01, 0.004}) {
+      const FoldPaper paper = read(document, 0, max_edge);
+      ASSERT_TRUE(paper.positions);
+      ASSERT_EQ(paper.rest_angles.size(), 1u);
+      EXPECT_NEAR(paper.rest_angles[0], angle, 1e-6);
+      EXPECT_LT(largestStrain(paper), 1e-9);
+      for (int v = 0; v < paper.sheet.vertexCount(); ++v) {
+        const Vector3 expected = folded(paper.sheet.flatPositions()[v], p, q, angle);
+        EXPECT_LT((paper.positions->col(v) - expected).norm(), 1e-12);
+      }
+    }
+  }
+}
+
+/// Four pleats, two quadrilaterals long, folded to 60 degrees in turn, in centimetres.
+json pleats() {
+  json document{{"frame_unit", "cm"},
+                {"frame_classes", json::array({"creasePattern"})},
+                {"vertices_coords", json::array()},
+                {"edges_vertices", json::array()},
+                {"edges_assignment", json::array()},
+                {"faces_vertices", json::array()}};
+  json space = json::array();
+  const auto at = [](int x, int y) { return 3 * x + y; };
+  for (int x = 0; x <= 4; ++x) {
+    for (int y = 0; y <= 2; ++y) {
+      document["vertices_coords"].push_back({4 * x, 3 * y});
+      space.push_back({4 * x * std::cos(M_PI / 6), 3 * y, 2 * (x % 2)});
+      if (x < 4 && y < 2) {
+        document["faces_vertices"].push_back(
+            {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)});
+      }
+      if (x == 0 || x == 4 || y == 2) continue;
+      document["edges_vertices"].push_back({at(x, y), at(x, y + 1)});
+      document["edges_assignment"].push_back(x % 2 ? "M" : "V");
+    }
+  }
+  document["file_frames"] = json::array({{{"frame_inherit", true},
+                                          {"frame_classes", json::array({"foldedForm"})},
+                                          {"vertices_coords", space}}});
+  return document;
+}
+
+TEST(FoldedForm, ofQuadrilateralsStandsAtEveryFineness) {
+  for (const double max_edge : {0.0, 0.03, 0.01}) {
+    const FoldPaper paper = read(pleats(), 0, max_edge);
+    EXPECT_NEAR(paper.sheet.area(), 0.16 * 0.06, 1e-12);
+    ASSERT_TRUE(paper.positions);
+    ASSERT_EQ(paper.rest_angles.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(paper.rest_angles[i], i == 1 ? M_PI / 3 : -M_PI / 3, 1e-6);
+    }
+    EXPECT_LT(largestStrain(paper), 1e-9);
+  }
+}
+
+TEST(FoldedForm, holdsTheMiddleThatASlitOfOneEdgeGets) {
+  json document = pleats();
+  document["edges_vertices"].push_back({4, 7});
+  document["edges_assignment"].push_back("C");
+  for (const double max_edge : {0.0, 0.01}) {
+    const FoldPaper paper = read(document, 0, max_edge);
+    EXPECT_NEAR(borderLength(paper.sheet), 2 * (0.16 + 0.06 + 0.04), 1e-12);
+    ASSERT_TRUE(paper.positions);
+    EXPECT_LT(largestStrain(paper), 1e-9);
+  }
+}
+
+TEST(FoldedForm, thatFoldsWhatThePatternHasFlatIsRefusedOnAFinerMesh) {
+  // A sharp pleat in a flat edge of the pattern: a finer mesh has no edge there to fold.
+  json document = pleats();
+  document["edges_assignment"] = json::array({"M", "M", "F", "F", "M", "M"});
+  json& space = document["file_frames"][0]["vertices_coords"];
+  for (int i = 0; i < 15; ++i) {
+    const int x = i / 3;
+    space[i] = {4 * x * std::cos(M_PI / 2.5), 3 * (i % 3), 4 * std::sin(M_PI / 2.5) * (x % 2)};
+  }
+  EXPECT_TRUE(read(document, 0, 0).positions);
+  expectWithin(fileRefusal(scratch(document.dump()), {0, 0.01}),
+               "file_frames[0] is no folded form of the pattern: an edge is 0.");
+}
+
+TEST(FoldedForm, thatIsFoldedFlatIsNoPlaceToStartFromAtAnyFineness) {
+  json document = pleats();
+  json& space = document["file_frames"][0]["vertices_coords"];
+  for (int i = 0; i < 15; ++i) space[i] = {4 * (i / 3 % 2), 3 * (i % 3), 0};
+  for (const double max_edge : {0.0, 0.01}) EXPECT_FALSE(read(document, 0, max_edge).positions);
+}
+
+}  // namespace
+}  // namespace shell_origami
