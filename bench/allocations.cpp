@@ -1,6 +1,6 @@
 #include "bench/allocations.h"
 
-#include <SuiteSparse_config.h>
+#include <shell_origami/linear/suitesparse_memory.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -54,18 +54,20 @@ namespace {
 
 /// SuiteSparse asks for memory through pointers of its own, which tells CHOLMOD's requests apart.
 const bool installed = [] {
-  SuiteSparse_config.malloc_func = [](std::size_t size) {
+  SuiteSparseMemory memory = suiteSparseMemory();
+  memory.allocate = [](std::size_t size) {
     ++counted.cholmod;
     return malloc(size);
   };
-  SuiteSparse_config.calloc_func = [](std::size_t count, std::size_t size) {
+  memory.allocate_zeros = [](std::size_t count, std::size_t size) {
     ++counted.cholmod;
     return calloc(count, size);
   };
-  SuiteSparse_config.realloc_func = [](void* block, std::size_t size) {
+  memory.reallocate = [](void* block, std::size_t size) {
     ++counted.cholmod;
     return realloc(block, size);
   };
+  setSuiteSparseMemory(memory);
   return true;
 }();
 

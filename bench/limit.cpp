@@ -76,10 +76,9 @@ std::vector<int> natural(int count) {
 }
 
 /// The block row of every vertex in CHOLMOD's order of the graph of vertices.
-std::vector<int> rowsBy(int vertex_order, const Shell& shell) {
-  std::vector<int> order = natural(shell.vertexCount());
+std::vector<int> rowsBy(int vertex_order, const VertexGraph& graph) {
+  std::vector<int> order = natural(graph.size());
   if (vertex_order == CHOLMOD_NATURAL) return order;
-  const VertexGraph graph(shell, order, shell.vertexCount());
   Common common;
   common.method[0].ordering = vertex_order;
   cholmod_sparse pattern = view(graph.size(), graph.starts, graph.indices, nullptr);
@@ -91,19 +90,28 @@ std::vector<int> rowsBy(int vertex_order, const Shell& shell) {
   return rowsOf(order);
 }
 
+/// The vertices of the shell, all of them unknowns.
+VertexGraph graphOf(const Shell& shell) {
+  VertexGraph graph(shell.vertexCount());
+  graph.add({&shell.stencils()}, natural(shell.vertexCount()));
+  return graph;
+}
+
 /// The matrix of a step from where the paper is.
 BlockMatrix stepMatrix(const Simulation& simulation, const std::vector<int>& rows) {
-  const Shell& shell = simulation.shell();
+  const ShellPotential& potential = simulation.shell();
+  const Shell& shell = potential.shell();
   const Positions& x = simulation.positions();
-  std::vector<FoldAngle> angles;
-  std::vector<HingeGradient> angle_gradients;
-  std::vector<MembraneStrain> strains;
-  shell.foldAngles(x, angles);
-  shell.angleGradients(x, angle_gradients);
-  shell.strains(x, strains);
-  BlockMatrix matrix(shell, rows, shell.vertexCount());
-  shell.forEachHessian(x, angles, angle_gradients, strains, HessianKind::kExactWhereBent,
-                       [&](int stencil, const auto& block) { matrix.add(stencil, block); });
+  const auto at = potential.makeIterate();
+  Positions gradient = Positions::Zero(3, x.cols());
+  potential.start(x, *at);
+  potential.addGradient(x, *at, gradient);
+  potential.predict(x, Positions::Zero(3, x.cols()), *at);
+  BlockMatrix matrix(graphOf(shell).renumbered(rows));
+  BlockTargets targets;
+  targets.find(shell.stencils(), rows, matrix);
+  HessianBlocks blocks(matrix, targets);
+  potential.addHessian(x, *at, HessianKind::kExact, blocks);
   const double dt = simulation.config().solver.time_step;
   const double beta = 1.1 * 1.1 / 4;
   for (int v = 0; v < shell.vertexCount(); ++v) {
@@ -175,18 +183,17 @@ void measureOwn(const BlockMatrix& matrix, Limit& limit) {
 }  // namespace
 
 Limit measureLimit(const Simulation& simulation) {
-  const Shell& shell = simulation.shell();
+  const VertexGraph graph = graphOf(simulation.shell().shell());
   Limit limit;
   double least = HUGE_VAL;
   for (const Setting& setting : kSettings) {
     const FactorTimes times =
-        measure(setting, stepMatrix(simulation, rowsBy(setting.vertex_order, shell)));
+        measure(setting, stepMatrix(simulation, rowsBy(setting.vertex_order, graph)));
     if (times.numeric + times.solve >= least) continue;
     least = times.numeric + times.solve;
     limit.best = times;
     limit.setting = setting.name;
   }
-  const VertexGraph graph(shell, natural(shell.vertexCount()), shell.vertexCount());
   const BlockMatrix matrix = stepMatrix(simulation, rowsOf(eliminationOrder(graph)));
   measureOwn(matrix, limit);
   limit.flops = flopsOf(matrix);

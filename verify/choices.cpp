@@ -16,7 +16,7 @@ constexpr double kSide = 0.1;
 double stretchEnergy(const Sheet& sheet, MembraneKind kind, double direction) {
   Material material;
   material.membrane = kind;
-  const Shell shell(sheet, material, Vector3::Zero());
+  const Shell shell(sheet, material);
   const double e = 1e-6;
   const Vector2 along(std::cos(direction), std::sin(direction)), across(-along.y(), along.x());
   const Eigen::Matrix2d stretch = (1 + e) * along * along.transpose() +
@@ -43,9 +43,10 @@ Sheet creased(double max_edge, bool neighbour) {
 double creaseEnergy(const Sheet& sheet, bool height_term) {
   Material material;
   material.crease_height_term = height_term;
-  Shell shell(sheet, material, Vector3::Zero());
+  const Shell shell(sheet, material);
+  RestState rest = shell.restState();
   for (int i = 0; i < static_cast<int>(sheet.creases().size()); ++i) {
-    shell.setCrease(i, 0, material.crease_stiffness);
+    shell.setCrease(i, 0, material.crease_stiffness, rest);
   }
   const double theta = 1;
   Positions x = Positions::Zero(3, sheet.vertexCount());
@@ -55,7 +56,7 @@ double creaseEnergy(const Sheet& sheet, bool height_term) {
     x.col(v) << p.x(), p.y() - out + out * std::cos(theta), out * std::sin(theta);
   }
   const double phi = 2 * std::tan(theta / 2);
-  return shell.bendingEnergy(x) / (material.crease_stiffness / 2 * phi * phi * kSide);
+  return shell.bendingEnergy(x, rest) / (material.crease_stiffness / 2 * phi * phi * kSide);
 }
 
 void compareMembranes(VerificationReport& report) {

@@ -67,7 +67,7 @@ Flap hangFlap(double theta, double max_edge) {
   for (int i = 0; i < 400; ++i) {
     if (!simulation.step().converged) throw std::runtime_error("the flap does not swing");
   }
-  const Shell shell(sheet, config.material, config.gravity);
+  const Shell shell(sheet, config.material);
   Flap flap{simulation.creases()[0].angle, 0, 0};
   for (int v = 0; v < sheet.vertexCount(); ++v) {
     if (sheet.flatPositions()[v].x() < kFold) continue;

@@ -31,9 +31,9 @@ Positions rolled(const Sheet& sheet, double direction) {
 /// Bending energy over that of the plate.
 double energyRatio(const Sheet& sheet, double direction) {
   const Material material;
-  const Shell shell(sheet, material, Vector3::Zero());
+  const Shell shell(sheet, material);
   const double plate = material.bendingStiffness() / 2 * kCurvature * kCurvature * sheet.area();
-  return shell.bendingEnergy(rolled(sheet, direction)) / plate;
+  return shell.bendingEnergy(rolled(sheet, direction), shell.restState()) / plate;
 }
 
 }  // namespace

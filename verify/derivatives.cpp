@@ -1,6 +1,7 @@
 #include "verify/derivatives.h"
 
 #include <shell_origami/energy/shell.h>
+#include <shell_origami/energy/shell_potential.h>
 #include "verify/dual.h"
 #include "verify/topics.h"
 
@@ -156,11 +157,12 @@ DerivativeError hingeEnergyError(const HingeShape& shape, double theta, double r
   std::vector<Crease> creases;
   if (crease) creases.push_back({0, "crease", {0, 1}});
   const Material material = thick();
-  Shell shell(Sheet(Triangulation(flat, {{0, 1, 2}, {1, 0, 3}}), creases), material,
-              Vector3::Zero());
+  ShellPotential potential(Sheet(Triangulation(flat, {{0, 1, 2}, {1, 0, 3}}), creases), material,
+                           Vector3::Zero());
+  const Shell& shell = potential.shell();
   const double c = material.crease_stiffness;
-  if (crease) shell.setCrease(0, rest, c);
-  else shell.setRestAngle(0, rest);
+  if (crease) shell.setCrease(0, rest, c, potential.rest);
+  else Shell::setRestAngle(0, rest, potential.rest);
 
   const HingePoints points = shape.bent(theta);
   Positions x(3, 4);
@@ -174,14 +176,14 @@ DerivativeError hingeEnergyError(const HingeShape& shape, double theta, double r
       crease ? c / 2 * shape.length : material.bendingStiffness() / 6 * shape.length / h;
 
   Positions force = Positions::Zero(3, 4);
-  shell.addGradient(x, force);
+  potential.addGradient(x, force);
   HingeGradient gradient;
   for (int k = 0; k < 4; ++k) gradient.segment<3>(3 * k) = force.col(at[k]);
   HingeHessian hessian;
-  shell.forEachExactHessian(x, [&](int, const auto& block) {
+  shell.forEachExactHessian(x, potential.rest, [&](int, const auto& block) {
     if constexpr (std::decay_t<decltype(block)>::RowsAtCompileTime == 12) hessian = block;
   });
-  return compare(Dual12(factor) * u * u, shell.bendingEnergy(x), gradient, hessian);
+  return compare(Dual12(factor) * u * u, potential.bendingEnergy(x), gradient, hessian);
 }
 
 DerivativeError membraneError(MembraneKind kind, double stretch) {

@@ -5,14 +5,10 @@
 namespace shell_origami {
 namespace {
 
-/// Nothing rests otherwise and held vertices stay.
-class NoDrive : public Drive {
+/// Rest angles and held vertices stay as they are.
+class Unchanged : public BoundaryConditions {
  public:
-  explicit NoDrive(const Positions& held) : held_(held) {}
-  void moveTo(double, Shell&, Positions& held) override { held = held_; }
-
- private:
-  Positions held_;
+  void applyAt(double, Positions&) override {}
 };
 
 }  // namespace
@@ -32,28 +28,28 @@ FreeMotion::FreeMotion(const Sheet& sheet, const Material& material, const Solve
       stepper_(solver) {
   Positions gradient = Positions::Zero(3, positions.cols());
   shell_.addGradient(positions, gradient);
-  motion_.accelerations = -gradient * shell_.masses().cwiseInverse().asDiagonal();
+  motion_.accelerations = -gradient * shell().masses().cwiseInverse().asDiagonal();
   std::vector<bool> free(positions.cols(), true);
   for (std::int64_t v : held) {
     free[v] = false;
     motion_.velocities.col(v).setZero();
     motion_.accelerations.col(v).setZero();
   }
-  stepper_.setTopology(free);
+  stepper_.setFree(free);
 }
 
 void FreeMotion::step() {
-  NoDrive drive(motion_.positions);
-  const StepReport report = stepper_.step(shell_, 0, drive, motion_);
+  Unchanged conditions;
+  const StepReport report = stepper_.step({&shell_}, shell().masses(), 0, conditions, motion_);
   if (report.retries > 0) throw std::runtime_error("a step of free motion had to be cut");
 }
 
 double FreeMotion::kineticEnergy() const {
-  return motion_.velocities.colwise().squaredNorm().dot(shell_.masses().transpose()) / 2;
+  return motion_.velocities.colwise().squaredNorm().dot(shell().masses().transpose()) / 2;
 }
 
 double FreeMotion::elasticEnergy() const {
-  return shell_.membraneEnergy(motion_.positions) + shell_.bendingEnergy(motion_.positions);
+  return shell().membraneEnergy(motion_.positions) + shell_.bendingEnergy(motion_.positions);
 }
 
 }  // namespace shell_origami

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <shell_origami/dynamics/stepper.h>
+#include <shell_origami/energy/shell_potential.h>
 
 #include <vector>
 
@@ -25,12 +26,12 @@ class FreeMotion {
   void step();
 
   const Motion& motion() const { return motion_; }
-  const Shell& shell() const { return shell_; }
+  const Shell& shell() const { return shell_.shell(); }
   double kineticEnergy() const;  ///< [J]
   double elasticEnergy() const;  ///< [J]
 
  private:
-  Shell shell_;
+  ShellPotential shell_;
   Motion motion_;
   Stepper stepper_;
 };

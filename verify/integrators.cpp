@@ -40,22 +40,23 @@ SolverConfig solverOf(IntegratorKind kind, double time_step) {
 /// (Courant, Friedrichs & Lewy 1928).
 double stabilityLimit(double max_edge) {
   const Simulation simulation = folding({}, max_edge);
-  const Shell& shell = simulation.shell();
+  const Shell& shell = simulation.shell().shell();
   const int triangles = static_cast<int>(shell.triangles().size());
   Eigen::MatrixXd stiffness =
       Eigen::MatrixXd::Zero(3 * shell.vertexCount(), 3 * shell.vertexCount());
-  shell.forEachExactHessian(simulation.positions(), [&](int stencil, const auto& block) {
-    const int* at = stencil < triangles ? shell.triangles()[stencil].data()
-                                        : shell.hinges()[stencil - triangles].vertices.data();
-    const int count = static_cast<int>(block.rows()) / 3;
-    for (int i = 0; i < count; ++i) {
-      for (int j = 0; j < count; ++j) {
-        stiffness.block<3, 3>(3 * at[i], 3 * at[j]) +=
-            block.template block<3, 3>(3 * i, 3 * j) /
-            std::sqrt(shell.masses()[at[i]] * shell.masses()[at[j]]);
-      }
-    }
-  });
+  shell.forEachExactHessian(
+      simulation.positions(), simulation.shell().rest, [&](int stencil, const auto& block) {
+        const int* at = stencil < triangles ? shell.triangles()[stencil].data()
+                                            : shell.hinges()[stencil - triangles].vertices.data();
+        const int count = static_cast<int>(block.rows()) / 3;
+        for (int i = 0; i < count; ++i) {
+          for (int j = 0; j < count; ++j) {
+            stiffness.block<3, 3>(3 * at[i], 3 * at[j]) +=
+                block.template block<3, 3>(3 * i, 3 * j) /
+                std::sqrt(shell.masses()[at[i]] * shell.masses()[at[j]]);
+          }
+        }
+      });
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, Eigen::EigenvaluesOnly);
   return 2 / std::sqrt(modes.eigenvalues().maxCoeff());
 }

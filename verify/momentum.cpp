@@ -35,16 +35,16 @@ Positions bent(const Sheet& sheet) {
 }
 
 void verifyRigidMotions(VerificationReport& report, const Sheet& sheet) {
-  const Shell shell(sheet, Material(), Vector3::Zero());
+  const ShellPotential potential(sheet, Material(), Vector3::Zero());
   const Positions x = bent(sheet);
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond(0.5, -0.1, 0.7, 0.4).normalized().toRotationMatrix();
   const Positions moved = (turn * x).colwise() + Vector3(0.1, -0.3, 0.2);
-  const auto energy = [&shell](const Positions& at) {
-    return shell.membraneEnergy(at) + shell.bendingEnergy(at);
+  const auto energy = [&potential](const Positions& at) {
+    return potential.shell().membraneEnergy(at) + potential.bendingEnergy(at);
   };
   Positions force = Positions::Zero(3, x.cols());
-  shell.addGradient(x, force);
+  potential.addGradient(x, force);
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(x.cols());
   const double forces = force.colwise().norm().sum();
   report.add({kItem, "energy of a bent sheet, turned and shifted, over itself, less 1", 0,

@@ -28,17 +28,18 @@ struct Mode {
 /// The slowest mode of the discrete sheet, by inverse iteration. Any other start would hold fast
 /// modes that only the finest time steps see.
 Mode slowestMode(const ClampedSheet& sheet, const Material& material) {
-  const Shell shell(sheet.sheet, material, Vector3::Zero());
+  const Shell shell(sheet.sheet, material);
   const int n = shell.vertexCount(), triangles = static_cast<int>(shell.triangles().size());
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
-  shell.forEachExactHessian(flatInSpace(sheet.sheet), [&](int stencil, const auto& block) {
-    const int* at = stencil < triangles ? shell.triangles()[stencil].data()
-                                        : shell.hinges()[stencil - triangles].vertices.data();
-    const int count = static_cast<int>(block.rows()) / 3;
-    for (int i = 0; i < count; ++i) {
-      for (int j = 0; j < count; ++j) stiffness(at[i], at[j]) += block(3 * i + 2, 3 * j + 2);
-    }
-  });
+  shell.forEachExactHessian(
+      flatInSpace(sheet.sheet), shell.restState(), [&](int stencil, const auto& block) {
+        const int* at = stencil < triangles ? shell.triangles()[stencil].data()
+                                            : shell.hinges()[stencil - triangles].vertices.data();
+        const int count = static_cast<int>(block.rows()) / 3;
+        for (int i = 0; i < count; ++i) {
+          for (int j = 0; j < count; ++j) stiffness(at[i], at[j]) += block(3 * i + 2, 3 * j + 2);
+        }
+      });
   for (std::int64_t v : sheet.held) {
     stiffness.row(v).setZero();
     stiffness.col(v).setZero();

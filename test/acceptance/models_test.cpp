@@ -63,7 +63,7 @@ TEST_P(ModelTest, NoTriangleIsInvertedOrStretched) {
   // In space a triangle has no orientation of its own: its area must be that of the flat one, and
   // no hinge of the sheet, other than a crease, may be bent to a half turn.
   const Simulation simulation = fold(GetParam().name);
-  const Shell shell(simulation.sheet(), simulation.config().material, Vector3::Zero());
+  const Shell shell(simulation.sheet(), simulation.config().material);
   for (const Triangle& t : simulation.sheet().triangles()) {
     const auto& flat = simulation.sheet().flatPositions();
     const auto& x = simulation.positions();

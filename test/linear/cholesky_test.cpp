@@ -1,12 +1,12 @@
 #include <shell_origami/linear/cholesky.h>
 
-#include <shell_origami/mesh/triangulate.h>
 #include "bench/allocations.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <random>
 #include <set>
@@ -15,60 +15,74 @@
 namespace shell_origami {
 namespace {
 
-/// A sheet's Hessian with inertia on its diagonal; every seventh vertex is held.
-template <int Size>
-Eigen::MatrixXd whole(const Eigen::Matrix<double, Size, Size>& block) {
-  return block;
-}
-Eigen::MatrixXd whole(const RankOne& block) {
-  return block.factor * block.vector * block.vector.transpose();
+/// The stencils of a lattice of squares: its triangles, and its squares as hinges.
+Stencils latticeStencils(int side) {
+  Stencils stencils;
+  stencils.restart(1);
+  for (int row = 0; row + 1 < side; ++row) {
+    for (int i = 0; i + 1 < side; ++i) {
+      const int a = row * side + i, b = a + 1, c = a + side, d = c + 1;
+      for (const std::array<int, 3>& t : {std::array{a, b, c}, {b, d, c}}) {
+        stencils.add(t.data(), 3);
+      }
+      const std::array<int, 4> hinge{b, c, a, d};
+      stencils.add(hinge.data(), 4);
+    }
+  }
+  return stencils;
 }
 
+/// Positive semidefinite blocks on a lattice with an identity on the diagonal; every seventh vertex
+/// is held.
 struct System {
-  Sheet sheet{triangulateRectangle(0.1, 0.1, 0.02)};
-  Shell shell{sheet, {}, Vector3::Zero()};
+  static constexpr int kSide = 6;
+  Stencils stencils = latticeStencils(kSide);
   std::vector<int> unknown;
   int count = 0;
-  Positions x = Positions::Zero(3, sheet.vertexCount());
   BlockMatrix matrix;
+  BlockTargets targets;
   Eigen::MatrixXd dense;
 
   System() {
-    for (int v = 0; v < sheet.vertexCount(); ++v) {
-      unknown.push_back(v % 7 == 0 ? -1 : count++);
-      x.col(v).head<2>() = sheet.flatPositions()[v];
-    }
-    matrix = BlockMatrix(shell, unknown, count);
+    for (int v = 0; v < kSide * kSide; ++v) unknown.push_back(v % 7 == 0 ? -1 : count++);
+    VertexGraph graph(count);
+    graph.add({&stencils}, unknown);
+    matrix = BlockMatrix(graph);
+    EXPECT_TRUE(targets.find(stencils, unknown, matrix));
     fill();
   }
 
   void fill() {
-    std::vector<FoldAngle> angles;
-    std::vector<HingeGradient> angle_gradients;
-    std::vector<MembraneStrain> strains;
-    shell.foldAngles(x, angles);
-    shell.angleGradients(x, angle_gradients);
-    shell.strains(x, strains);
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal(0, 30);
     dense = Eigen::MatrixXd::Identity(3 * count, 3 * count);
     matrix.setZero();
     for (int i = 0; i < count; ++i) matrix.addToDiagonal(i, 1);
-    const int triangles = static_cast<int>(shell.triangles().size());
-    shell.forEachHessian(
-        x, angles, angle_gradients, strains, HessianKind::kGaussNewton,
-        [&](int stencil, const auto& given) {
-          matrix.add(stencil, given);
-          const Eigen::MatrixXd block = whole(given);
-          const int* corners = stencil < triangles
-                                   ? shell.triangles()[stencil].data()
-                                   : shell.hinges()[stencil - triangles].vertices.data();
-          for (int i = 0; i < block.rows(); ++i) {
-            for (int j = 0; j < block.cols(); ++j) {
-              const int row = unknown[corners[i / 3]], column = unknown[corners[j / 3]];
-              if (row >= 0 && column >= 0)
-                dense(3 * row + i % 3, 3 * column + j % 3) += block(i, j);
-            }
-          }
-        });
+    HessianBlocks blocks(matrix, targets);
+    for (int s = 0; s < stencils.count(); ++s) {
+      if (stencils.end(s) - stencils.begin(s) == 3) {
+        const Eigen::Matrix<double, 9, 9> root =
+            Eigen::Matrix<double, 9, 9>::NullaryExpr([&] { return normal(random); });
+        const Eigen::Matrix<double, 9, 9> block = root * root.transpose();
+        blocks.add(s, block);
+        addDense(s, block);
+      } else {
+        const Eigen::Matrix<double, 12, 1> vector =
+            Eigen::Matrix<double, 12, 1>::NullaryExpr([&] { return normal(random); });
+        blocks.addRankOne(s, 2.5, vector);
+        addDense(s, 2.5 * vector * vector.transpose());
+      }
+    }
+  }
+
+  void addDense(int stencil, const Eigen::MatrixXd& block) {
+    const int* vertices = stencils.begin(stencil);
+    for (int i = 0; i < block.rows(); ++i) {
+      for (int j = 0; j < block.cols(); ++j) {
+        const int row = unknown[vertices[i / 3]], column = unknown[vertices[j / 3]];
+        if (row >= 0 && column >= 0) dense(3 * row + i % 3, 3 * column + j % 3) += block(i, j);
+      }
+    }
   }
 };
 
@@ -97,11 +111,12 @@ TEST(Cholesky, SolvesTheSystem) {
 }
 
 TEST(EliminationOrder, IsAPermutationThatKeepsTheFactorSparse) {
-  const Sheet sheet(triangulateRectangle(0.1, 0.1, 0.005));
-  const Shell shell(sheet, {}, Vector3::Zero());
-  std::vector<int> unknown(sheet.vertexCount());
+  constexpr int kSide = 25;
+  std::vector<int> unknown(kSide * kSide);
   std::iota(unknown.begin(), unknown.end(), 0);
-  const VertexGraph graph(shell, unknown, sheet.vertexCount());
+  const Stencils stencils = latticeStencils(kSide);
+  VertexGraph graph(kSide * kSide);
+  graph.add({&stencils}, unknown);
   const std::vector<int> order = eliminationOrder(graph);
   std::vector<int> sorted = order;
   std::sort(sorted.begin(), sorted.end());

@@ -170,7 +170,7 @@ TEST(Simulation, FloatingPaperKeepsItsCentreWhileItFolds) {
   Simulation simulation = square(config);
   simulation.fold(diagonal(120 * kDegree));
   const auto centre = [&simulation] {
-    const Shell shell(simulation.sheet(), simulation.config().material, Vector3::Zero());
+    const Shell shell(simulation.sheet(), simulation.config().material);
     return Vector3(simulation.positions() * shell.masses() / shell.masses().sum());
   };
   const Vector3 before = centre();

@@ -10,7 +10,7 @@ namespace shell_origami {
 class BackwardEuler : public Integrator {
  public:
   explicit BackwardEuler(ImplicitSolver& solver) : solver_(solver) {}
-  bool step(const Loading& loading, double dt, Motion& motion, StepReport& report) override;
+  bool step(const StepInput& input, double dt, Motion& motion, StepReport& report) override;
 
  private:
   ImplicitSolver& solver_;

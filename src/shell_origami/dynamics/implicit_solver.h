@@ -11,21 +11,23 @@ class ImplicitSolver {
  public:
   explicit ImplicitSolver(const SolverConfig& config);
 
-  /// Says that topology or held vertices changed: the next solve makes its matrix anew.
-  void topologyChanged();
+  /// Says that the mesh, the potentials or the held vertices changed. `free[v]` is false for held
+  /// vertices.
+  void setFree(const std::vector<bool>& free);
 
-  const SolverState& memory() const { return newton_.memory(); }
-  void restoreState(const SolverState& memory) { newton_.restoreState(memory); }
+  const SolverState& state() const { return newton_.state(); }
+  void restoreState(const SolverState& state) { newton_.restoreState(state); }
 
-  /// The minimum of energy and inertia into x, within the tolerance. The search begins at `start`,
-  /// or where that throws a hinge through 180 degrees, at `before`.
-  bool solve(const Loading& loading, const Inertia& inertia, const Positions& start, double dt,
+  /// Moves x to the minimum of energy and inertia, within the tolerance. The search begins at
+  /// `start`, or where the paper cannot get there in one step, at `before`; prescribed vertices
+  /// stand at their places in either. Returns false, with the failure in the report, where it finds
+  /// none.
+  bool solve(const StepInput& input, const Inertia& inertia, const Positions& start, double dt,
              const Positions& before, Positions& x, StepReport& report);
 
  private:
   double tolerance_;
   int max_iterations_;
-  bool stale_ = true;
   Newton newton_;
 };
 

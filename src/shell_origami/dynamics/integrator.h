@@ -3,7 +3,7 @@
 #pragma once
 
 #include <shell_origami/dynamics/newton.h>
-#include <shell_origami/energy/shell.h>
+#include <shell_origami/dynamics/objective.h>
 
 #include <map>
 #include <memory>
@@ -35,24 +35,26 @@ struct SolverConfig {
   int max_iterations = 30;      ///< Newton iterations before a step is retried smaller
 };
 
-/// What a step cost and whether it held.
+/// The cost of a step, and whether it converged.
 struct StepReport {
   bool converged = true;
   int newton_iterations = 0;
   int factorizations = 0;
-  int retries = 0;      ///< times a step was cut in two
-  double residual = 0;  ///< last Newton step over the time step [m/s]
-  SolverTimes times;    ///< of implicit schemes
-  std::string failure;  ///< why it did not converge
-  int vertex = -1;      ///< where it did not; -1: everywhere
+  int retries = 0;              ///< times a step was cut in two
+  double newton_step_rate = 0;  ///< largest displacement of the last Newton step, over dt [m/s]
+  double gradient_norm = 0;     ///< of the objective, where the last Newton step started [N]
+  SolverTimes times;            ///< of implicit schemes
+  std::string failure;          ///< why it did not converge
+  int vertex = -1;              ///< where it did not; -1: everywhere
 };
 
-/// What moves the paper during a step.
-struct Loading {
-  const Shell& shell;
+/// The forces of a step, and the vertices that are not free to follow them.
+struct StepInput {
+  const Potentials& potentials;
+  const Eigen::VectorXd& masses;  ///< lumped, one a vertex [kg]
   double air_damping;             ///< mass-proportional [1/s]
-  const std::vector<bool>& free;  ///< one a vertex; the others are held
-  const Positions& held;          ///< where held vertices stand at the end [m]
+  const std::vector<bool>& free;  ///< one a vertex; the others are prescribed
+  const Positions& prescribed;    ///< where those are at the end of the step [m]
 };
 
 class Integrator {
@@ -60,7 +62,7 @@ class Integrator {
   virtual ~Integrator() = default;
   /// Advances `motion` by dt [s]. False, with the failure in the report and `motion` as it was,
   /// when the scheme finds no step.
-  virtual bool step(const Loading& loading, double dt, Motion& motion, StepReport& report) = 0;
+  virtual bool step(const StepInput& input, double dt, Motion& motion, StepReport& report) = 0;
 };
 
 class ImplicitSolver;

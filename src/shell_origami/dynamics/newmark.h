@@ -10,7 +10,7 @@ namespace shell_origami {
 class Newmark : public Integrator {
  public:
   Newmark(const SolverConfig& config, ImplicitSolver& solver);
-  bool step(const Loading& loading, double dt, Motion& motion, StepReport& report) override;
+  bool step(const StepInput& input, double dt, Motion& motion, StepReport& report) override;
 
  private:
   double beta_, gamma_;

@@ -30,34 +30,39 @@ Stepper::Stepper(const SolverConfig& config)
       integrator_(makeIntegrator(config, *solver_)),
       retry_(makeIntegrator(retryConfig(config), *solver_)) {}
 
-void Stepper::setTopology(std::vector<bool> free) {
+void Stepper::setFree(std::vector<bool> free) {
   free_ = std::move(free);
-  solver_->topologyChanged();
+  solver_->setFree(free_);
 }
 
-bool Stepper::stepInParts(Shell& shell, double air_damping, Drive& drive, double from, double to,
-                          int depth, Motion& motion, StepReport& report) {
-  drive.moveTo(to, shell, held_);
-  const Loading loading{shell, air_damping, free_, held_};
-  if (retry_->step(loading, (to - from) * config_.time_step, motion, report)) return true;
+/// Takes the part of the whole step between two fractions of it.
+bool Stepper::take(Integrator& integrator, const Whole& whole, double from, double to,
+                   Motion& motion, StepReport& report) {
+  whole.conditions.applyAt(to, prescribed_);
+  const StepInput input{whole.potentials, whole.masses, whole.air_damping, free_, prescribed_};
+  return integrator.step(input, (to - from) * config_.time_step, motion, report);
+}
+
+bool Stepper::stepInParts(const Whole& whole, double from, double to, int depth, Motion& motion,
+                          StepReport& report) {
+  if (take(*retry_, whole, from, to, motion, report)) return true;
   if (depth == kDeepest) return false;
   ++report.retries;
   const double middle = (from + to) / 2;
-  return stepInParts(shell, air_damping, drive, from, middle, depth + 1, motion, report) &&
-         stepInParts(shell, air_damping, drive, middle, to, depth + 1, motion, report);
+  return stepInParts(whole, from, middle, depth + 1, motion, report) &&
+         stepInParts(whole, middle, to, depth + 1, motion, report);
 }
 
-StepReport Stepper::step(Shell& shell, double air_damping, Drive& drive, Motion& motion) {
+StepReport Stepper::step(const Potentials& potentials, const Eigen::VectorXd& masses,
+                         double air_damping, BoundaryConditions& conditions, Motion& motion) {
   StepReport report;
-  held_ = motion.positions;
-  drive.moveTo(1, shell, held_);
-  if (integrator_->step({shell, air_damping, free_, held_}, config_.time_step, motion, report)) {
-    return report;
-  }
+  const Whole whole{potentials, masses, air_damping, conditions};
+  prescribed_ = motion.positions;
+  if (take(*integrator_, whole, 0, 1, motion, report)) return report;
   ++report.retries;
   Motion trial = motion;
-  report.converged = stepInParts(shell, air_damping, drive, 0, 0.5, 1, trial, report) &&
-                     stepInParts(shell, air_damping, drive, 0.5, 1, 1, trial, report);
+  report.converged =
+      stepInParts(whole, 0, 0.5, 1, trial, report) && stepInParts(whole, 0.5, 1, 1, trial, report);
   if (report.converged) {
     report.failure.clear();
     report.vertex = -1;
@@ -67,8 +72,8 @@ StepReport Stepper::step(Shell& shell, double air_damping, Drive& drive, Motion&
   return report;
 }
 
-StepReport Stepper::relax(Shell& shell, const std::function<void(Shell&, const Positions&)>& adapt,
-                          Motion& motion) {
+StepReport Stepper::relax(const Potentials& potentials, const Eigen::VectorXd& masses,
+                          const std::function<void(const Positions&)>& adapt, Motion& motion) {
   StepReport report;
   const Positions start = motion.positions;
   const double still = config_.tolerance * config_.time_step;
@@ -77,15 +82,15 @@ StepReport Stepper::relax(Shell& shell, const std::function<void(Shell&, const P
   for (int round = 0; round < kMostRounds && length >= kShortest; ++round) {
     const double dt = length * config_.time_step;
     Positions next;
-    if (!solver_->solve({shell, 0, free_, start}, {1 / (dt * dt), x}, x, config_.time_step, x, next,
-                        report)) {
+    if (!solver_->solve({potentials, masses, 0, free_, start}, {1 / (dt * dt), x}, x,
+                        config_.time_step, x, next, report)) {
       ++report.retries;
       length *= kShrink;
       continue;
     }
     const double moved = std::sqrt((next - x).colwise().squaredNorm().maxCoeff());
     x = std::move(next);
-    adapt(shell, x);
+    adapt(x);
     if (moved <= still && length >= kLongEnough) {
       motion = {std::move(x), Positions::Zero(3, start.cols()), Positions::Zero(3, start.cols())};
       report.failure.clear();

@@ -1,8 +1,9 @@
 /// \file
-/// Explicit symplectic Euler: no equation to solve, and steps that stiff paper keeps tiny.
+/// Explicit symplectic Euler: no equation to solve, but stiff paper needs tiny steps.
 #pragma once
 
 #include <shell_origami/dynamics/integrator.h>
+#include <shell_origami/dynamics/objective.h>
 
 namespace shell_origami {
 
@@ -10,12 +11,11 @@ namespace shell_origami {
 /// Origami, figure 2).
 class SymplecticEuler : public Integrator {
  public:
-  bool step(const Loading& loading, double dt, Motion& motion, StepReport& report) override;
+  bool step(const StepInput& input, double dt, Motion& motion, StepReport& report) override;
 
  private:
   // Scratch, kept between steps.
-  std::vector<FoldAngle> angles_;
-  std::vector<HingeGradient> angle_gradients_;
+  Objective objective_;
   Positions gradient_;
 };
 

@@ -46,10 +46,10 @@ void RestShape::roll(const Sheet& sheet) {
   }
 }
 
-void RestShape::apply(Shell& shell) const {
+void RestShape::apply(const Shell& shell, RestState& rest) const {
   for (int j = 0; j < static_cast<int>(shell.hinges().size()); ++j) {
     const Hinge& hinge = shell.hinges()[j];
-    if (hinge.crease < 0) shell.setRestAngle(j, rolled_[hinge.edge] + set_[hinge.edge]);
+    if (hinge.crease < 0) Shell::setRestAngle(j, rolled_[hinge.edge] + set_[hinge.edge], rest);
   }
 }
 
@@ -64,12 +64,13 @@ void RestShape::follow(const Remap& remap, const Sheet& after) {
   roll(after);
 }
 
-void RestShape::yield(const Material& material, const Positions& positions, Shell& shell) {
+void RestShape::yield(const Material& material, const Positions& positions, const Shell& shell,
+                      RestState& rest) {
   if (material.yield_curvature == 0) return;
   for (int j = 0; j < static_cast<int>(shell.hinges().size()); ++j) {
     const Hinge& hinge = shell.hinges()[j];
     if (hinge.crease >= 0) continue;
-    const double bend = shell.foldAngle(j, positions) - hinge.rest_angle.radians;
+    const double bend = shell.foldAngle(j, positions) - rest.angles[j].radians;
     const double limit =
         std::max(0.0, material.yield_curvature + material.hardening * plastic_[hinge.edge]);
     const double excess = std::abs(bend) / hinge.width - limit;
@@ -79,7 +80,7 @@ void RestShape::yield(const Material& material, const Positions& positions, Shel
     double& set = set_[hinge.edge];
     set = std::clamp(set + std::copysign(flow * hinge.width, bend), -kLastSet - rolled_[hinge.edge],
                      kLastSet - rolled_[hinge.edge]);
-    shell.setRestAngle(j, rolled_[hinge.edge] + set);
+    Shell::setRestAngle(j, rolled_[hinge.edge] + set, rest);
   }
 }
 

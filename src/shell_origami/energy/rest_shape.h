@@ -28,14 +28,15 @@ class RestShape {
   const std::vector<double>& set() const { return set_; }
   const std::vector<double>& plastic() const { return plastic_; }
 
-  /// Gives the shell's ordinary hinges their rest angles.
-  void apply(Shell& shell) const;
+  /// Sets the rest angles of the shell's ordinary hinges.
+  void apply(const Shell& shell, RestState& rest) const;
   /// Carries what yielding left over an edit: a part of an edge keeps that edge's.
   void follow(const Remap& remap, const Sheet& after);
   /// Return map: where a hinge is bent further from rest than the yield curvature, the excess
-  /// becomes rest, up to the hardening, and the shell gets the new rest angles. The curvature of a
+  /// becomes rest, up to the hardening, and `rest` gets the new rest angles. The curvature of a
   /// hinge is its angle over two thirds of its triangles' mean height, the distance between them.
-  void yield(const Material& material, const Positions& positions, Shell& shell);
+  void yield(const Material& material, const Positions& positions, const Shell& shell,
+             RestState& rest);
 
  private:
   void roll(const Sheet& sheet);

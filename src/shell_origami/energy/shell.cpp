@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace shell_origami {
 namespace {
@@ -37,11 +36,10 @@ bool jumped(const FoldAngle& theta, const FoldAngle& before) {
 
 }  // namespace
 
-Shell::Shell(const Sheet& sheet, const Material& material, const Vector3& gravity)
+Shell::Shell(const Sheet& sheet, const Material& material)
     : triangles_(sheet.triangles()),
       crease_hinges_(sheet.creases().size()),
-      masses_(Eigen::VectorXd::Zero(sheet.vertexCount())),
-      gravity_(gravity) {
+      masses_(Eigen::VectorXd::Zero(sheet.vertexCount())) {
   const auto& flat = sheet.flatPositions();
   if (material.membrane == MembraneKind::kDiscreteShells) {
     membranes_.emplace<std::vector<EdgeAreaMembrane>>();
@@ -64,31 +62,36 @@ Shell::Shell(const Sheet& sheet, const Material& material, const Vector3& gravit
                   3;
     hinge.edge = static_cast<int>(i);
     hinge.crease = edge.crease;
+    double stiffness = 0;
     if (edge.crease >= 0) {
       crease_hinges_[edge.crease].push_back(static_cast<int>(hinges_.size()));
     } else {
       // W = k (phi - rest)^2 |e| / h_e with k = B / 6 and h_e a third of the mean height: the
       // plate's bending energy, in every direction on an equilateral mesh. h_e is half the width.
-      hinge.stiffness = 2 * material.bendingStiffness() / 6 * hinge.length / (hinge.width / 2);
+      stiffness = 2 * material.bendingStiffness() / 6 * hinge.length / (hinge.width / 2);
     }
     hinges_.push_back(hinge);
+    stiffness_.push_back(stiffness);
   }
+  stencils_.restart(1);
+  for (const Triangle& t : triangles_) stencils_.add(t.data(), 3);
+  for (const Hinge& hinge : hinges_) stencils_.add(hinge.vertices.data(), 4);
   if (!material.crease_height_term) return;
   for (const Hinge& hinge : hinges_) {
     crease_width_ += hinge.width / static_cast<double>(hinges_.size());
   }
 }
 
-void Shell::setRestAngle(int hinge, double rest_angle) {
-  hinges_[hinge].rest_angle = restAngle(rest_angle);
+void Shell::setRestAngle(int hinge, double rest_angle, RestState& rest) {
+  rest.angles[hinge] = restAngle(rest_angle);
 }
 
-void Shell::setCrease(int crease, double rest_angle, double stiffness) {
-  const FoldAngle rest = restAngle(rest_angle);
+void Shell::setCrease(int crease, double rest_angle, double stiffness, RestState& rest) const {
+  const FoldAngle angle = restAngle(rest_angle);
   for (int j : crease_hinges_[crease]) {
-    hinges_[j].rest_angle = rest;
+    rest.angles[j] = angle;
     const double part = crease_width_ > 0 ? crease_width_ / hinges_[j].width : 1;
-    hinges_[j].stiffness = stiffness * part * hinges_[j].length;
+    rest.stiffness[j] = stiffness * part * hinges_[j].length;
   }
 }
 
@@ -112,25 +115,27 @@ double Shell::membraneEnergy(const Positions& x) const {
   return energy;
 }
 
-double Shell::bendingEnergy(const Positions& x) const {
+double Shell::bendingEnergy(const Positions& x, const RestState& rest) const {
   double energy = 0;
-  for (const Hinge& hinge : hinges_) {
-    const double bend = hinge.bend(shell_origami::foldAngle(pointsOf(hinge, x))).value;
-    energy += hinge.stiffness / 2 * bend * bend;
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    const FoldAngle theta = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+    const double bend = hinges_[j].bend(theta, rest.angles[j]).value;
+    energy += rest.stiffness[j] / 2 * bend * bend;
   }
   return energy;
 }
 
-double Shell::gravityEnergy(const Positions& x) const { return 0 - gravity_.dot(x * masses_); }
+double Shell::gravityEnergy(const Positions& x, const Vector3& gravity) const {
+  return 0 - gravity.dot(x * masses_);
+}
 
 double Shell::foldAngle(int hinge, const Positions& x) const {
   return shell_origami::foldAngle(pointsOf(hinges_[hinge], x)).radians;
 }
 
-double Shell::moment(int hinge, double theta) const {
-  const Hinge& h = hinges_[hinge];
-  const Bend bend = h.bend(theta);
-  return -h.stiffness / h.length * bend.value * bend.first;
+double Shell::moment(int hinge, double theta, const RestState& rest) const {
+  const Bend bend = hinges_[hinge].bend(theta, rest.angles[hinge]);
+  return -rest.stiffness[hinge] / hinges_[hinge].length * bend.value * bend.first;
 }
 
 void Shell::foldAngles(const Positions& x, std::vector<FoldAngle>& angles) const {
@@ -140,32 +145,32 @@ void Shell::foldAngles(const Positions& x, std::vector<FoldAngle>& angles) const
   }
 }
 
-double Shell::energy(const Positions& x, const std::vector<FoldAngle>& before,
-                     std::vector<FoldAngle>& angles) const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double energy = gravityEnergy(x);
+bool Shell::addEnergy(const Positions& x, const RestState& rest,
+                      const std::vector<FoldAngle>& before, std::vector<FoldAngle>& angles,
+                      double& energy) const {
+  bool feasible = true;
   std::visit(
       [&](const auto& membranes) {
-        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+        for (std::size_t i = 0; i < triangles_.size() && feasible; ++i) {
           const TrianglePoints points = pointsOf(triangles_[i], x);
-          if (!(membranes[i].areaRatio(points) > kCollapsed)) energy = kInfinity;
+          feasible = membranes[i].areaRatio(points) > kCollapsed;
           energy += membranes[i].energy(points);
         }
       },
       membranes_);
-  if (!(energy < kInfinity)) return kInfinity;
+  if (!feasible || !std::isfinite(energy)) return false;
   angles.resize(hinges_.size());
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
     angles[j] = shell_origami::foldAngle(pointsOf(hinges_[j], x));
-    if (passedShut(angles[j], before[j]) || jumped(angles[j], before[j])) return kInfinity;
-    const double bend = hinges_[j].bend(angles[j]).value;
-    energy += hinges_[j].stiffness / 2 * bend * bend;
+    if (passedShut(angles[j], before[j]) || jumped(angles[j], before[j])) return false;
+    const double bend = hinges_[j].bend(angles[j], rest.angles[j]).value;
+    energy += rest.stiffness[j] / 2 * bend * bend;
   }
-  return energy;
+  return true;
 }
 
 std::optional<Infeasibility> Shell::findInfeasibility(const Positions& x,
-                                                      const std::vector<FoldAngle>& angles) const {
+                                                      const std::vector<FoldAngle>& before) const {
   for (int v = 0; v < vertexCount(); ++v) {
     if (!x.col(v).allFinite()) return Infeasibility{"a position is not finite", v};
   }
@@ -179,8 +184,8 @@ std::optional<Infeasibility> Shell::findInfeasibility(const Positions& x,
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
     const FoldAngle theta = shell_origami::foldAngle(pointsOf(hinges_[j], x));
     const int v = hinges_[j].vertices[0];
-    if (passedShut(theta, angles[j])) return Infeasibility{"a hinge would pass 180 degrees", v};
-    if (jumped(theta, angles[j])) return Infeasibility{"a hinge would jump", v};
+    if (passedShut(theta, before[j])) return Infeasibility{"a hinge would pass 180 degrees", v};
+    if (jumped(theta, before[j])) return Infeasibility{"a hinge would jump", v};
   }
   return std::nullopt;
 }
@@ -225,10 +230,10 @@ void Shell::strainsAfter(const Positions& x, const Positions& displacement,
       membranes_);
 }
 
-void Shell::addGradient(const Positions& x, const std::vector<FoldAngle>& angles,
+void Shell::addGradient(const Positions& x, const RestState& rest,
+                        const std::vector<FoldAngle>& angles,
                         const std::vector<HingeGradient>& angle_gradients,
                         Positions& gradient) const {
-  gradient.noalias() -= gravity_ * masses_.transpose();
   std::visit(
       [&](const auto& membranes) {
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
@@ -238,41 +243,55 @@ void Shell::addGradient(const Positions& x, const std::vector<FoldAngle>& angles
       },
       membranes_);
   for (std::size_t j = 0; j < hinges_.size(); ++j) {
-    const Hinge& hinge = hinges_[j];
-    const Bend bend = hinge.bend(angles[j]);
-    const double torque = hinge.stiffness * bend.value * bend.first;
+    const Bend bend = hinges_[j].bend(angles[j], rest.angles[j]);
+    const double torque = rest.stiffness[j] * bend.value * bend.first;
     for (int k = 0; k < 4; ++k) {
-      gradient.col(hinge.vertices[k]) += torque * angle_gradients[j].segment<3>(3 * k);
+      gradient.col(hinges_[j].vertices[k]) += torque * angle_gradients[j].segment<3>(3 * k);
     }
   }
 }
 
-void Shell::addGradient(const Positions& x, Positions& gradient) const {
-  std::vector<FoldAngle> angles;
-  std::vector<HingeGradient> angle_gradients;
-  foldAngles(x, angles);
-  this->angleGradients(x, angle_gradients);
-  addGradient(x, angles, angle_gradients, gradient);
+void Shell::addHessian(const Positions& x, const RestState& rest,
+                       const std::vector<FoldAngle>& angles,
+                       const std::vector<HingeGradient>& angle_gradients,
+                       const std::vector<MembraneStrain>& strains, HessianKind kind,
+                       HessianBlocks& blocks) const {
+  const int triangle_count = static_cast<int>(triangles_.size());
+  std::visit(
+      [&](const auto& membranes) {
+        for (int i = 0; i < triangle_count; ++i) {
+          blocks.add(i, membranes[i].hessian(pointsOf(triangles_[i], x), strains[i],
+                                             kind == HessianKind::kConvex));
+        }
+      },
+      membranes_);
+  for (int j = 0; j < static_cast<int>(hinges_.size()); ++j) {
+    const bool near_rest = std::abs(angles[j].radians - rest.angles[j].radians) < kNearRest;
+    if (kind == HessianKind::kConvex || near_rest) {
+      blocks.addRankOne(triangle_count + j, gaussNewtonFactor(j, rest, angles[j]),
+                        angle_gradients[j]);
+    } else {
+      blocks.add(triangle_count + j,
+                 exactHessian(j, rest, angles[j], angle_gradients[j], pointsOf(hinges_[j], x)));
+    }
+  }
 }
 
-bool Shell::nearRest(const Hinge& hinge, const FoldAngle& theta) {
-  return std::abs(theta.radians - hinge.rest_angle.radians) < kNearRest;
-}
-
-// psi'' grad(theta) grad(theta)^T; where psi'' is small or negative its convex part stands in.
-RankOne Shell::gaussNewton(const Hinge& hinge, const FoldAngle& theta,
-                           const HingeGradient& turn) const {
-  const Bend bend = hinge.bend(theta);
+/// Returns psi''; where it is small or negative, its convex part.
+double Shell::gaussNewtonFactor(int hinge, const RestState& rest, const FoldAngle& theta) const {
+  const Bend bend = hinges_[hinge].bend(theta, rest.angles[hinge]);
   const double convex = bend.first * bend.first;
-  return {hinge.stiffness * std::max(convex, convex + bend.value * bend.second), turn};
+  return rest.stiffness[hinge] * std::max(convex, convex + bend.value * bend.second);
 }
 
-HingeHessian Shell::exactHessian(const Hinge& hinge, const FoldAngle& theta,
-                                 const HingeGradient& turn, const HingePoints& points) const {
-  const Bend bend = hinge.bend(theta);
-  const double first = hinge.stiffness * bend.value * bend.first;
-  const double second = hinge.stiffness * (bend.first * bend.first + bend.value * bend.second);
-  return first * foldAngleHessian(points) + second * turn * turn.transpose();
+HingeHessian Shell::exactHessian(int hinge, const RestState& rest, const FoldAngle& theta,
+                                 const HingeGradient& angle_gradient,
+                                 const HingePoints& points) const {
+  const Bend bend = hinges_[hinge].bend(theta, rest.angles[hinge]);
+  const double stiffness = rest.stiffness[hinge];
+  const double first = stiffness * bend.value * bend.first;
+  const double second = stiffness * (bend.first * bend.first + bend.value * bend.second);
+  return first * foldAngleHessian(points) + second * angle_gradient * angle_gradient.transpose();
 }
 
 double Shell::maxFeasibleStep(const std::vector<FoldAngle>& angles,

@@ -1,11 +1,13 @@
 /// \file
-/// The elastic energy of the sheet in space: membrane, hinges and gravity.
+/// The elastic energy of the sheet in space: membrane and hinges; and its weight.
 #pragma once
 
 #include <shell_origami/energy/dihedral.h>
 #include <shell_origami/energy/edge_area_membrane.h>
 #include <shell_origami/energy/material.h>
 #include <shell_origami/energy/membrane.h>
+#include <shell_origami/energy/potential.h>
+#include <shell_origami/energy/rest_state.h>
 #include <shell_origami/sheet/sheet.h>
 
 #include <optional>
@@ -15,51 +17,31 @@
 namespace shell_origami {
 
 /// A hinge between two triangles, in the order of HingePoints.
-/// W = stiffness / 2 u^2 with u = hingeBend(theta, rest_angle), of a crease creaseBend().
+/// W = stiffness / 2 u^2 with u = hingeBend(theta, rest), of a crease creaseBend(theta, rest).
 struct Hinge {
   std::array<int, 4> vertices;
-  double length = 0;     ///< |e| on the flat sheet [m]
-  double width = 0;      ///< of the paper that bends in it: two thirds of its mean height [m]
-  int edge = -1;         ///< index into Sheet::edges()
-  double stiffness = 0;  ///< [J]
-  FoldAngle rest_angle;  ///< short of 180 degrees
-  int crease = -1;       ///< index into Sheet::creases(), or -1
+  double length = 0;  ///< |e| on the flat sheet [m]
+  double width = 0;   ///< of the paper that bends in it: two thirds of its mean height [m]
+  int edge = -1;      ///< index into Sheet::edges()
+  int crease = -1;    ///< index into Sheet::creases(), or -1
 
-  Bend bend(const FoldAngle& theta) const {
-    return crease < 0 ? hingeBend(theta, rest_angle) : creaseBend(theta, rest_angle);
+  Bend bend(const FoldAngle& theta, const FoldAngle& rest) const {
+    return crease < 0 ? hingeBend(theta, rest) : creaseBend(theta, rest);
   }
 };
 
-/// factor * vector * vector^T.
-struct RankOne {
-  double factor;
-  const HingeGradient& vector;
-};
-
-/// Why a configuration is none of a paper.
-struct Infeasibility {
-  const char* what;
-  int vertex;  ///< of the triangle or hinge
-};
-
-enum class HessianKind {
-  kGaussNewton,     ///< hinges: rank one, psi'' grad(theta) grad(theta)^T. Positive semidefinite
-  kExactWhereBent,  ///< Gauss-Newton for hinges so near rest that their torque hardly counts
-};
-
-/// Energies are pure functions of the positions; the rest state is set by the caller.
+/// Energies are pure functions of the positions and of the rest state, which is passed.
 class Shell {
  public:
-  Shell(const Sheet& sheet, const Material& material, const Vector3& gravity);
+  Shell(const Sheet& sheet, const Material& material);
 
-  void setGravity(const Vector3& gravity) { gravity_ = gravity; }  ///< [m/s^2]
-
-  /// Rest angle [rad] and stiffness [N*m/rad per m] of a crease's hinges. Creases are held short
-  /// of 180 degrees, and so is the rest angle.
-  void setCrease(int crease, double rest_angle, double stiffness);
-
-  /// Rest angle [rad] of an ordinary hinge, held short of 180 degrees.
-  void setRestAngle(int hinge, double rest_angle);
+  /// Returns the rest state of flat paper: creases without stiffness, ordinary hinges with the
+  /// material's.
+  RestState restState() const { return {std::vector<FoldAngle>(hinges_.size()), stiffness_}; }
+  /// Sets the rest angle [rad] and stiffness [N*m/rad per m] of a crease's hinges.
+  void setCrease(int crease, double rest_angle, double stiffness, RestState& rest) const;
+  /// Sets the rest angle [rad] of an ordinary hinge.
+  static void setRestAngle(int hinge, double rest_angle, RestState& rest);
 
   int vertexCount() const { return static_cast<int>(masses_.size()); }
   const Eigen::VectorXd& masses() const { return masses_; }  ///< lumped, one a vertex [kg]
@@ -69,22 +51,22 @@ class Shell {
   const std::vector<std::vector<int>>& creaseHinges() const { return crease_hinges_; }
 
   double membraneEnergy(const Positions& x) const;
-  double bendingEnergy(const Positions& x) const;
-  double gravityEnergy(const Positions& x) const;
+  double bendingEnergy(const Positions& x, const RestState& rest) const;
+  double gravityEnergy(const Positions& x, const Vector3& gravity) const;
 
   double foldAngle(int hinge, const Positions& x) const;
   /// Moment of a hinge per metre of it [N*m/m], positive towards a valley.
-  double moment(int hinge, double theta) const;
+  double moment(int hinge, double theta, const RestState& rest) const;
 
-  /// Energy [J] with every fold angle near `before`, those of a configuration close by (one a
-  /// hinge): infinite where a hinge would have passed 180 degrees on the way, or a triangle has
-  /// collapsed. Where it is finite `angles` are those at x.
-  double energy(const Positions& x, const std::vector<FoldAngle>& before,
-                std::vector<FoldAngle>& angles) const;
-  /// What made energy() infinite; nothing where it is not.
+  /// Adds the energy [J] to a sum, with every fold angle near `before`, those of a configuration
+  /// close by (one a hinge). Returns false where a hinge would have passed 180 degrees on the way,
+  /// or a triangle has collapsed. Where it returns true `angles` are those at x.
+  bool addEnergy(const Positions& x, const RestState& rest, const std::vector<FoldAngle>& before,
+                 std::vector<FoldAngle>& angles, double& energy) const;
+  /// Says why addEnergy() returns false; nothing where it does not.
   std::optional<Infeasibility> findInfeasibility(const Positions& x,
-                                                 const std::vector<FoldAngle>& angles) const;
-  /// The first hinge that turned further between two configurations than a step may.
+                                                 const std::vector<FoldAngle>& before) const;
+  /// Returns the first hinge that turned further between two configurations than a step may.
   std::optional<Infeasibility> findJump(const std::vector<FoldAngle>& before,
                                         const std::vector<FoldAngle>& angles) const;
   void foldAngles(const Positions& x, std::vector<FoldAngle>& angles) const;
@@ -94,23 +76,25 @@ class Shell {
   void strains(const Positions& x, std::vector<MembraneStrain>& strains) const;
   void strainsAfter(const Positions& x, const Positions& displacement,
                     std::vector<MembraneStrain>& strains) const;
-  /// Adds dW/dx [N], with the angles and turns at x.
-  void addGradient(const Positions& x, const std::vector<FoldAngle>& angles,
+  /// Adds dW/dx [N], with the angles and their gradients at x.
+  void addGradient(const Positions& x, const RestState& rest, const std::vector<FoldAngle>& angles,
                    const std::vector<HingeGradient>& angle_gradients, Positions& gradient) const;
-  void addGradient(const Positions& x, Positions& gradient) const;
-  /// Calls sink(i, block) with the 9x9 block of every triangle i, then sink(triangles + j, block)
-  /// with the 12x12 block of every hinge j, a HingeHessian or a RankOne. `strains` are those that
-  /// the stress in the geometric stiffness is of.
+  /// The triangles, then the hinges.
+  const Stencils& stencils() const { return stencils_; }
+  /// Adds the 9x9 block of every triangle and the 12x12 block of every hinge. `strains` are those
+  /// whose stress makes the geometric stiffness. Hinges: kConvex is the Gauss-Newton block
+  /// psi'' grad(theta) grad(theta)^T, and so is kExact where a hinge is so near rest that its
+  /// torque hardly counts.
+  void addHessian(const Positions& x, const RestState& rest, const std::vector<FoldAngle>& angles,
+                  const std::vector<HingeGradient>& angle_gradients,
+                  const std::vector<MembraneStrain>& strains, HessianKind kind,
+                  HessianBlocks& blocks) const;
+  /// Calls sink(i, block) with the exact block of every stencil i.
   template <class Sink>
-  void forEachHessian(const Positions& x, const std::vector<FoldAngle>& angles,
-                      const std::vector<HingeGradient>& angle_gradients,
-                      const std::vector<MembraneStrain>& strains, HessianKind kind,
-                      Sink&& sink) const;
-  /// The same with the exact blocks, all of them matrices.
-  template <class Sink>
-  void forEachExactHessian(const Positions& x, Sink&& sink) const;
-  /// Largest fraction of `step` in (0, 1] that turns no hinge by more than a radian nor carries
-  /// one past the last angle before 180 degrees, by the angles and turns where it starts.
+  void forEachExactHessian(const Positions& x, const RestState& rest, Sink&& sink) const;
+  /// Returns the largest fraction of `step` in (0, 1] that turns no hinge by more than a radian nor
+  /// carries one past the last angle before 180 degrees, by the angles and their gradients where it
+  /// starts.
   double maxFeasibleStep(const std::vector<FoldAngle>& angles,
                          const std::vector<HingeGradient>& angle_gradients,
                          const Positions& step) const;
@@ -118,48 +102,23 @@ class Shell {
  private:
   TrianglePoints pointsOf(const Triangle& t, const Positions& x) const;
   HingePoints pointsOf(const Hinge& h, const Positions& x) const;
-  static bool nearRest(const Hinge& hinge, const FoldAngle& theta);
-  RankOne gaussNewton(const Hinge& hinge, const FoldAngle& theta, const HingeGradient& turn) const;
-  HingeHessian exactHessian(const Hinge& hinge, const FoldAngle& theta, const HingeGradient& turn,
-                            const HingePoints& points) const;
+  double gaussNewtonFactor(int hinge, const RestState& rest, const FoldAngle& theta) const;
+  HingeHessian exactHessian(int hinge, const RestState& rest, const FoldAngle& theta,
+                            const HingeGradient& angle_gradient, const HingePoints& points) const;
 
   std::vector<Triangle> triangles_;
   std::variant<std::vector<MembraneElement>, std::vector<EdgeAreaMembrane>> membranes_;
   std::vector<Hinge> hinges_;
+  std::vector<double> stiffness_;  ///< of ordinary hinges, one for each hinge [J]
   std::vector<std::vector<int>> crease_hinges_;
+  Stencils stencils_;
   /// Mean hinge width of the sheet where it counts for creases [m]; 0: it does not.
   double crease_width_ = 0;
   Eigen::VectorXd masses_;
-  Vector3 gravity_;
 };
 
 template <class Sink>
-void Shell::forEachHessian(const Positions& x, const std::vector<FoldAngle>& angles,
-                           const std::vector<HingeGradient>& angle_gradients,
-                           const std::vector<MembraneStrain>& strains, HessianKind kind,
-                           Sink&& sink) const {
-  const int triangle_count = static_cast<int>(triangles_.size());
-  std::visit(
-      [&](const auto& membranes) {
-        for (int i = 0; i < triangle_count; ++i) {
-          sink(i, membranes[i].hessian(pointsOf(triangles_[i], x), strains[i],
-                                       kind == HessianKind::kGaussNewton));
-        }
-      },
-      membranes_);
-  for (int j = 0; j < static_cast<int>(hinges_.size()); ++j) {
-    const bool rank_one = kind == HessianKind::kGaussNewton || nearRest(hinges_[j], angles[j]);
-    if (rank_one) {
-      sink(triangle_count + j, gaussNewton(hinges_[j], angles[j], angle_gradients[j]));
-    } else {
-      sink(triangle_count + j,
-           exactHessian(hinges_[j], angles[j], angle_gradients[j], pointsOf(hinges_[j], x)));
-    }
-  }
-}
-
-template <class Sink>
-void Shell::forEachExactHessian(const Positions& x, Sink&& sink) const {
+void Shell::forEachExactHessian(const Positions& x, const RestState& rest, Sink&& sink) const {
   const int triangle_count = static_cast<int>(triangles_.size());
   std::visit(
       [&](const auto& membranes) {
@@ -171,7 +130,7 @@ void Shell::forEachExactHessian(const Positions& x, Sink&& sink) const {
       membranes_);
   for (int j = 0; j < static_cast<int>(hinges_.size()); ++j) {
     const HingePoints points = pointsOf(hinges_[j], x);
-    sink(triangle_count + j, exactHessian(hinges_[j], shell_origami::foldAngle(points),
+    sink(triangle_count + j, exactHessian(j, rest, shell_origami::foldAngle(points),
                                           foldAngleGradient(points), points));
   }
 }

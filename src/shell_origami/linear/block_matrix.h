@@ -1,8 +1,9 @@
 /// \file
-/// The sparse symmetric matrix of a Newton step, assembled without a search.
+/// A sparse symmetric matrix of 3x3 blocks, assembled from stencils without a search.
 #pragma once
 
-#include <shell_origami/energy/shell.h>
+#include <shell_origami/linear/stencils.h>
+#include <shell_origami/linear/vertex_graph.h>
 
 #include <Eigen/Core>
 
@@ -10,17 +11,7 @@
 
 namespace shell_origami {
 
-/// Which unknown vertices share a triangle or a hinge: compressed columns of the lower triangle.
-struct VertexGraph {
-  VertexGraph(const Shell& shell, const std::vector<int>& unknown, int unknown_count);
-
-  int size() const { return static_cast<int>(starts.size()) - 1; }
-
-  std::vector<int> starts, indices;
-};
-
-/// Lower triangle, compressed columns, in blocks of 3x3: one block row an unknown vertex. The
-/// pattern and the place of every element's entries stay as long as topology and pins do.
+/// Lower triangle, compressed columns, in blocks of 3x3: one block row an unknown vertex.
 ///
 /// Every scalar column of a block column holds the rows of the same blocks, the diagonal one
 /// first and whole (CHOLMOD does not read above the diagonal), so that entry (r, c) of a block
@@ -28,11 +19,11 @@ struct VertexGraph {
 class BlockMatrix {
  public:
   BlockMatrix() = default;
-  /// `unknown[v]` is the block row of vertex v, or -1 where v is held.
-  BlockMatrix(const Shell& shell, const std::vector<int>& unknown, int unknown_count);
+  /// All zeros, with a block where two vertices of the graph are neighbors and on the diagonal.
+  explicit BlockMatrix(VertexGraph graph);
 
-  int blockRows() const { return block_rows_; }
-  int size() const { return 3 * block_rows_; }
+  int blockRows() const { return graph_.size(); }
+  int size() const { return 3 * blockRows(); }
   const std::vector<int>& columnStarts() const { return column_starts_; }
   const std::vector<int>& rowIndices() const { return row_indices_; }
   const std::vector<double>& values() const { return values_; }
@@ -40,48 +31,69 @@ class BlockMatrix {
   void setZero();
   /// Adds value times the identity to a diagonal block.
   void addToDiagonal(int block_row, double value);
-  /// Adds the block of a stencil of Shell::forEachHessian.
-  template <int Size>
-  void add(int stencil, const Eigen::Matrix<double, Size, Size>& block);
-  void add(int stencil, const RankOne& block);
 
  private:
-  /// Where the block of a pair of a stencil's corners lands.
+  friend class BlockTargets;
+  friend class HessianBlocks;
+
+  VertexGraph graph_;
+  std::vector<int> column_starts_, row_indices_;
+  std::vector<double> values_;
+};
+
+/// Where in a matrix the blocks of a list of stencils are added.
+class BlockTargets {
+ public:
+  /// Looks the places up. `rows[v]` is the block row of vertex v, -1 where it is no unknown.
+  /// Returns false where the matrix lacks a block that a stencil needs.
+  bool find(const Stencils& stencils, const std::vector<int>& rows, const BlockMatrix& matrix);
+
+ private:
+  friend class HessianBlocks;
+
+  /// Where the block of a pair of a stencil's vertices is added.
   struct Target {
     int start;
     int stride;
-    int row, column;  ///< corners, so that the block lies in the lower triangle
+    int row, column;  ///< of the pair in the stencil, so that the block is in the lower triangle
   };
-  void addStencil(const int* vertices, int count, const std::vector<int>& unknown,
-                  const VertexGraph& graph);
-
-  int block_rows_ = 0;
-  std::vector<int> column_starts_, row_indices_;
-  std::vector<double> values_;
-  std::vector<int> target_starts_;
+  std::vector<int> starts_;
   std::vector<Target> targets_;
 };
 
-template <int Size>
-void BlockMatrix::add(int stencil, const Eigen::Matrix<double, Size, Size>& block) {
-  for (int i = target_starts_[stencil]; i < target_starts_[stencil + 1]; ++i) {
-    const Target& target = targets_[i];
-    for (int c = 0; c < 3; ++c) {
-      double* column = values_.data() + target.start + c * target.stride;
-      for (int r = 0; r < 3; ++r) column[r] += block(3 * target.row + r, 3 * target.column + c);
-    }
-  }
-}
+/// Adds the Hessian blocks of one list of stencils to a matrix.
+class HessianBlocks {
+ public:
+  HessianBlocks(BlockMatrix& matrix, const BlockTargets& targets)
+      : values_(matrix.values_.data()), targets_(targets) {}
 
-inline void BlockMatrix::add(int stencil, const RankOne& block) {
-  for (int i = target_starts_[stencil]; i < target_starts_[stencil + 1]; ++i) {
-    const Target& target = targets_[i];
-    for (int c = 0; c < 3; ++c) {
-      double* column = values_.data() + target.start + c * target.stride;
-      const double factor = block.factor * block.vector[3 * target.column + c];
-      for (int r = 0; r < 3; ++r) column[r] += factor * block.vector[3 * target.row + r];
+  /// Adds the block of a stencil: three rows and columns for each of its vertices.
+  template <int Size>
+  void add(int stencil, const Eigen::Matrix<double, Size, Size>& block) {
+    forEachColumn(stencil, [&](const BlockTargets::Target& target, int c, double* column) {
+      for (int r = 0; r < 3; ++r) column[r] += block(3 * target.row + r, 3 * target.column + c);
+    });
+  }
+  /// Adds factor * vector * vector^T.
+  template <int Size>
+  void addRankOne(int stencil, double factor, const Eigen::Matrix<double, Size, 1>& vector) {
+    forEachColumn(stencil, [&](const BlockTargets::Target& target, int c, double* column) {
+      const double scaled = factor * vector[3 * target.column + c];
+      for (int r = 0; r < 3; ++r) column[r] += scaled * vector[3 * target.row + r];
+    });
+  }
+
+ private:
+  template <class Add>
+  void forEachColumn(int stencil, Add&& add) {
+    for (int i = targets_.starts_[stencil]; i < targets_.starts_[stencil + 1]; ++i) {
+      const BlockTargets::Target& target = targets_.targets_[i];
+      for (int c = 0; c < 3; ++c) add(target, c, values_ + target.start + c * target.stride);
     }
   }
-}
+
+  double* values_;
+  const BlockTargets& targets_;
+};
 
 }  // namespace shell_origami

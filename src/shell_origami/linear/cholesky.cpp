@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
-#include <stdexcept>
 #include <vector>
 
 namespace shell_origami {
@@ -40,6 +39,20 @@ cholmod_sparse view(std::size_t size, const std::vector<int>& starts,
   return a;
 }
 
+/// Keeps OpenMP from opening parallel regions in this thread as long as it lives. Debian's CHOLMOD
+/// opens one in its inner loop whatever OMP_NUM_THREADS says, at four times the cost of the
+/// factorization.
+class SerialScope {
+ public:
+  SerialScope() : before_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
+  SerialScope(const SerialScope&) = delete;
+  SerialScope& operator=(const SerialScope&) = delete;
+  ~SerialScope() { omp_set_max_active_levels(before_); }
+
+ private:
+  int before_;
+};
+
 }  // namespace
 
 struct Cholesky::Implementation {
@@ -58,9 +71,6 @@ struct Cholesky::Implementation {
     common.postorder = false;
     std::copy(std::begin(kMergedColumns), std::end(kMergedColumns), common.nrelax);
     common.quick_return_if_not_posdef = true;
-    // Debian's CHOLMOD opens a parallel region in its inner loop whatever OMP_NUM_THREADS says,
-    // at four times the cost of the factorization.
-    omp_set_max_active_levels(0);
   }
   ~Implementation() {
     cholmod_free_dense(&solution, &common);
@@ -87,7 +97,6 @@ std::vector<int> eliminationOrder(const VertexGraph& graph) {
   }
   cholmod_free_factor(&factor, &common);
   cholmod_finish(&common);
-  if (order.empty()) throw std::runtime_error("CHOLMOD could not order the vertices");
   return order;
 }
 
@@ -96,24 +105,25 @@ Cholesky::~Cholesky() = default;
 Cholesky::Cholesky(Cholesky&&) noexcept = default;
 Cholesky& Cholesky::operator=(Cholesky&&) noexcept = default;
 
-void Cholesky::analyze(const BlockMatrix& matrix) {
+bool Cholesky::analyze(const BlockMatrix& matrix) {
   Implementation& own = *implementation_;
   cholmod_free_factor(&own.factor, &own.common);
   cholmod_sparse a =
       view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(), matrix.values().data());
   own.factor = cholmod_analyze(&a, &own.common);
-  if (!own.factor) throw std::runtime_error("CHOLMOD could not analyze the system matrix");
+  return own.factor != nullptr;
 }
 
 bool Cholesky::factorize(const BlockMatrix& matrix) {
   Implementation& own = *implementation_;
   cholmod_sparse a =
       view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(), matrix.values().data());
+  const SerialScope serial;
   const WorkspacePool::Use use(own.workspace);
   return cholmod_factorize(&a, own.factor, &own.common) && own.factor->minor == own.factor->n;
 }
 
-void Cholesky::solve(Eigen::VectorXd& b) {
+bool Cholesky::solve(Eigen::VectorXd& b) {
   Implementation& own = *implementation_;
   cholmod_dense rhs{};
   rhs.nrow = rhs.nzmax = rhs.d = b.size();
@@ -121,11 +131,13 @@ void Cholesky::solve(Eigen::VectorXd& b) {
   rhs.x = b.data();
   rhs.xtype = CHOLMOD_REAL;
   rhs.dtype = CHOLMOD_DOUBLE;
+  const SerialScope serial;
   if (!cholmod_solve2(CHOLMOD_A, own.factor, &rhs, nullptr, &own.solution, nullptr,
                       &own.workspace_y, &own.workspace_e, &own.common)) {
-    throw std::runtime_error("CHOLMOD could not solve");
+    return false;
   }
   std::memcpy(b.data(), own.solution->x, b.size() * sizeof(double));
+  return true;
 }
 
 }  // namespace shell_origami

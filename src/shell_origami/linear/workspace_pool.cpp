@@ -1,6 +1,6 @@
 #include <shell_origami/linear/workspace_pool.h>
 
-#include <SuiteSparse_config.h>
+#include <shell_origami/linear/suitesparse_memory.h>
 
 #include <algorithm>
 #include <cstring>
@@ -12,44 +12,40 @@ namespace {
 
 thread_local WorkspacePool* in_use = nullptr;
 
-/// Where SuiteSparse's memory comes from otherwise.
-SuiteSparse_config_struct plain;
+std::mutex uses_mutex;
+int uses = 0;              ///< that live, in all threads
+SuiteSparseMemory before;  ///< the functions that the first of them replaced
 
 }  // namespace
 
-WorkspacePool::WorkspacePool() {
-  static std::once_flag installed;
-  std::call_once(installed, install);
-}
-
 WorkspacePool::~WorkspacePool() {
-  for (const Block& block : blocks_) plain.free_func(block.start);
+  const std::lock_guard<std::mutex> lock(uses_mutex);
+  const auto release = uses > 0 ? before.release : suiteSparseMemory().release;
+  for (const Block& block : blocks_) release(block.start);
 }
 
-void WorkspacePool::install() {
-  plain = SuiteSparse_config;
-  SuiteSparse_config.malloc_func = allocate;
-  SuiteSparse_config.calloc_func = allocateZeros;
-  SuiteSparse_config.realloc_func = reallocate;
-  SuiteSparse_config.free_func = release;
+WorkspacePool::Use::Use(WorkspacePool& pool) : pool_(pool), before_(std::exchange(in_use, &pool)) {
+  const std::lock_guard<std::mutex> lock(uses_mutex);
+  if (uses++ > 0) return;
+  before = suiteSparseMemory();
+  setSuiteSparseMemory({allocate, allocateZeros, reallocate, WorkspacePool::release});
 }
-
-WorkspacePool::Use::Use(WorkspacePool& memory)
-    : memory_(memory), before_(std::exchange(in_use, &memory)) {}
 
 WorkspacePool::Use::~Use() {
   in_use = before_;
-  auto& blocks = memory_.blocks_;
+  auto& blocks = pool_.blocks_;
   blocks.erase(std::remove_if(blocks.begin(), blocks.end(), [](const Block& b) { return b.taken; }),
                blocks.end());
+  const std::lock_guard<std::mutex> lock(uses_mutex);
+  if (--uses == 0) setSuiteSparseMemory(before);
 }
 
 void* WorkspacePool::allocate(std::size_t size) {
-  return in_use ? in_use->take(size) : plain.malloc_func(size);
+  return in_use ? in_use->take(size) : before.allocate(size);
 }
 
 void* WorkspacePool::allocateZeros(std::size_t count, std::size_t size) {
-  if (!in_use) return plain.calloc_func(count, size);
+  if (!in_use) return before.allocate_zeros(count, size);
   void* block = in_use->take(count * size);  // SuiteSparse has looked for an overflow
   if (block) std::memset(block, 0, count * size);
   return block;
@@ -60,7 +56,7 @@ void* WorkspacePool::reallocate(void* block, std::size_t size) {
     const auto known = in_use->find(block);
     if (known != in_use->blocks_.end()) in_use->blocks_.erase(known);
   }
-  return plain.realloc_func(block, size);
+  return before.reallocate(block, size);
 }
 
 void WorkspacePool::release(void* block) {
@@ -71,7 +67,7 @@ void WorkspacePool::release(void* block) {
       return;
     }
   }
-  plain.free_func(block);
+  before.release(block);
 }
 
 /// The smallest block that will do, or a new one.
@@ -82,7 +78,7 @@ void* WorkspacePool::take(std::size_t size) {
     if (best == blocks_.end() || block->size < best->size) best = block;
   }
   if (best == blocks_.end()) {
-    void* start = plain.malloc_func(size);
+    void* start = before.allocate(size);
     if (!start) return nullptr;
     best = blocks_.insert(blocks_.end(), {start, size, false});
   }

@@ -7,28 +7,31 @@
 
 namespace shell_origami {
 
-/// CHOLMOD asks the heap for its workspace in every factorization and gives it back at the end:
-/// large blocks, which the kernel maps and clears each time. SuiteSparse lets a program say where
-/// its memory comes from, for the whole process; what is asked for outside of Use, or in another
-/// thread, goes where it went before.
+/// CHOLMOD allocates its workspace in every factorization and frees it at the end: large blocks,
+/// which the kernel maps and clears each time. A pool keeps them from one factorization to the
+/// next.
+///
+/// SuiteSparse takes its memory through functions that belong to the whole process. They are
+/// replaced only while a Use lives and are put back after the last one; until then the requests of
+/// other threads go to the functions that were there before.
 class WorkspacePool {
  public:
-  WorkspacePool();
+  WorkspacePool() = default;
   WorkspacePool(const WorkspacePool&) = delete;
   WorkspacePool& operator=(const WorkspacePool&) = delete;
   ~WorkspacePool();
 
-  /// As long as it lives, SuiteSparse's requests in this thread are served from the memory. What
-  /// SuiteSparse has not given back by then is its own.
+  /// As long as it lives, SuiteSparse's requests in this thread are served from the pool. Blocks
+  /// that SuiteSparse has not freed by then belong to SuiteSparse.
   class Use {
    public:
-    explicit Use(WorkspacePool& memory);
+    explicit Use(WorkspacePool& pool);
     Use(const Use&) = delete;
     Use& operator=(const Use&) = delete;
     ~Use();
 
    private:
-    WorkspacePool& memory_;
+    WorkspacePool& pool_;
     WorkspacePool* before_;
   };
 
@@ -39,7 +42,6 @@ class WorkspacePool {
     bool taken;
   };
 
-  static void install();
   static void* allocate(std::size_t size);
   static void* allocateZeros(std::size_t count, std::size_t size);
   static void* reallocate(void* block, std::size_t size);

@@ -126,7 +126,7 @@ msg::Energy energyMessage(const Session& session, const StepReport& step, double
   message.kinetic = energies.kinetic;
   message.gravity = energies.gravity;
   message.newton_iterations = static_cast<std::uint32_t>(step.newton_iterations);
-  message.residual = step.residual;
+  message.residual = step.newton_step_rate;
   message.max_strain = session.simulation().maxStrain();
   message.real_time_factor = real_time_factor;
   return message;

@@ -128,9 +128,9 @@ void CreaseActuation::follow(const Remap& remap, const std::vector<Crease>& befo
   ramps_ = std::move(ramps);
 }
 
-void CreaseActuation::apply(double time, Shell& shell) const {
+void CreaseActuation::apply(double time, const Shell& shell, RestState& rest) const {
   for (std::size_t i = 0; i < ramps_.size(); ++i) {
-    shell.setCrease(static_cast<int>(i), ramps_[i].angleAt(time), ramps_[i].stiffness);
+    shell.setCrease(static_cast<int>(i), ramps_[i].angleAt(time), ramps_[i].stiffness, rest);
   }
 }
 

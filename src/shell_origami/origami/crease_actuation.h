@@ -48,7 +48,7 @@ class CreaseActuation {
   void follow(const Remap& remap, const std::vector<Crease>& before,
               const std::vector<Crease>& after);
   /// Gives the shell's creases their rest angles and stiffness at this time.
-  void apply(double time, Shell& shell) const;
+  void apply(double time, const Shell& shell, RestState& rest) const;
 
  private:
   std::vector<FoldRamp> ramps_;

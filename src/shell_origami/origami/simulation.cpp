@@ -38,18 +38,17 @@ Positions flatInSpace(const Sheet& sheet) {
 
 /// Moves the rest angles along their ramps within one step, and vertices that frames hold along
 /// with these.
-class Simulation::StepDrive : public Drive {
+class Simulation::StepConditions : public BoundaryConditions {
  public:
-  explicit StepDrive(const Simulation& simulation) : simulation_(simulation) {}
+  explicit StepConditions(Simulation& simulation) : simulation_(simulation) {}
 
-  void moveTo(double s, Shell& shell, Positions& held) override {
-    const double t = simulation_.time_ + s * simulation_.config_.solver.time_step;
-    simulation_.creases_.apply(t, shell);
-    simulation_.held_.place(s, held);
+  void applyAt(double s, Positions& prescribed) override {
+    simulation_.updateRestState(simulation_.time_ + s * simulation_.config_.solver.time_step);
+    simulation_.held_.place(s, prescribed);
   }
 
  private:
-  const Simulation& simulation_;
+  Simulation& simulation_;
 };
 
 Simulation::Simulation(Sheet sheet, const SimulationConfig& config)
@@ -73,7 +72,8 @@ Simulation::Simulation(Sheet sheet, const SimulationConfig& config, const Positi
     reject("the sheet has ", sheet_.creases().size(), " creases, but ", rest_angles.size(),
            " rest angles are given");
   }
-  creases_ = CreaseActuation(rest_angles, config_.material.crease_stiffness, shell_, positions);
+  creases_ =
+      CreaseActuation(rest_angles, config_.material.crease_stiffness, shell_.shell(), positions);
   topologyChanged();
 }
 
@@ -90,12 +90,12 @@ Simulation::Simulation(const Snapshot& snapshot)
       time_(snapshot.time),
       resting_(snapshot.resting) {
   topologyChanged();
-  stepper_.restoreState(snapshot.memory);
+  stepper_.restoreState(snapshot.solver);
 }
 
 Snapshot Simulation::snapshot() const {
-  return {config_,           sheet_,    motion_, creases_, rest_, held_,
-          stepper_.memory(), counters_, time_,   resting_};
+  return {config_, sheet_,           motion_,   creases_, rest_,
+          held_,   stepper_.state(), counters_, time_,    resting_};
 }
 
 void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_before) {
@@ -109,11 +109,20 @@ void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_b
 }
 
 void Simulation::topologyChanged() {
-  shell_ = Shell(sheet_, config_.material, config_.gravity);
-  creases_.apply(time_, shell_);
-  rest_.apply(shell_);
+  shell_ = ShellPotential(sheet_, config_.material, config_.gravity);
+  rest_.apply(shell_.shell(), shell_.rest);
+  updateRestState(time_);
   pinsChanged();
 }
+
+/// The energies that move the paper. Made anew at each call, for a simulation may be moved.
+const Potentials& Simulation::potentials() {
+  potentials_.assign(1, &shell_);
+  return potentials_;
+}
+
+/// Puts the rest state where the creases' ramps are at this time.
+void Simulation::updateRestState(double time) { creases_.apply(time, shell_.shell(), shell_.rest); }
 
 void Simulation::pinsChanged() {
   std::vector<bool> free(sheet_.vertexCount(), true);
@@ -122,7 +131,7 @@ void Simulation::pinsChanged() {
     motion_.velocities.col(v).setZero();
     motion_.accelerations.col(v).setZero();
   }
-  stepper_.setTopology(std::move(free));
+  stepper_.setFree(std::move(free));
 }
 
 /// Adds to the counters, and to a failure where on the paper it happened.
@@ -147,23 +156,23 @@ StepReport Simulation::step() {
     time_ += config_.solver.time_step;
     return {};
   }
-  StepDrive drive(*this);
-  const SolverState memory = stepper_.memory();
-  const StepReport report =
-      counted(stepper_.step(shell_, config_.material.air_damping, drive, motion_));
+  StepConditions conditions(*this);
+  const SolverState solver = stepper_.state();
+  const StepReport report = counted(stepper_.step(
+      potentials(), shell_.shell().masses(), config_.material.air_damping, conditions, motion_));
   if (!report.converged) {
     held_.stay();
-    creases_.apply(time_, shell_);
-    stepper_.restoreState(memory);
+    updateRestState(time_);
+    stepper_.restoreState(solver);
     return report;
   }
   held_.arrive();
   ++counters_.steps;
   time_ += config_.solver.time_step;
-  creases_.creep(time_, config_.solver.time_step, sheet_, shell_, motion_.positions);
-  creases_.yield(time_, config_.material, shell_, motion_.positions);
-  rest_.yield(config_.material, motion_.positions, shell_);
-  creases_.apply(time_, shell_);
+  creases_.creep(time_, config_.solver.time_step, sheet_, shell_.shell(), motion_.positions);
+  creases_.yield(time_, config_.material, shell_.shell(), motion_.positions);
+  rest_.yield(config_.material, motion_.positions, shell_.shell(), shell_.rest);
+  updateRestState(time_);
   resting_ = atRest();
   if (resting_) {
     motion_.velocities.setZero();
@@ -174,16 +183,17 @@ StepReport Simulation::step() {
 
 StepReport Simulation::settle() {
   const CreaseActuation before = creases_;
-  const SolverState memory = stepper_.memory();
-  const auto give_way = [this](Shell& shell, const Positions& positions) {
-    creases_.creep(time_, config_.solver.time_step, sheet_, shell, positions);
-    creases_.apply(time_, shell);
+  const SolverState solver = stepper_.state();
+  const auto give_way = [this](const Positions& positions) {
+    creases_.creep(time_, config_.solver.time_step, sheet_, shell_.shell(), positions);
+    updateRestState(time_);
   };
-  const StepReport report = counted(stepper_.relax(shell_, give_way, motion_));
+  const StepReport report =
+      counted(stepper_.relax(potentials(), shell_.shell().masses(), give_way, motion_));
   if (!report.converged) {
     creases_ = before;
-    creases_.apply(time_, shell_);
-    stepper_.restoreState(memory);
+    updateRestState(time_);
+    stepper_.restoreState(solver);
     return report;
   }
   EditRecord edit;
@@ -198,17 +208,17 @@ std::vector<CreaseStatus> Simulation::creases() const {
     CreaseStatus status;
     status.id = sheet_.creases()[i].id;
     status.name = sheet_.creases()[i].name;
-    status.angle = meanAngle(static_cast<int>(i), shell_, motion_.positions);
+    status.angle = meanAngle(static_cast<int>(i), shell_.shell(), motion_.positions);
     status.rest_angle = creases_.ramps()[i].angleAt(time_);
     status.target_angle = creases_.ramps()[i].target;
     status.driven = creases_.ramps()[i].driven;
     status.angle_min = M_PI;
     status.angle_max = -M_PI;
     double length = 0;
-    for (int j : shell_.creaseHinges()[i]) {
-      const double angle = shell_.foldAngle(j, motion_.positions);
-      const double weight = shell_.hinges()[j].length;
-      status.moment += weight * shell_.moment(j, angle);
+    for (int j : shell_.shell().creaseHinges()[i]) {
+      const double angle = shell_.shell().foldAngle(j, motion_.positions);
+      const double weight = shell_.shell().hinges()[j].length;
+      status.moment += weight * shell_.shell().moment(j, angle, shell_.rest);
       status.angle_min = std::min(status.angle_min, angle);
       status.angle_max = std::max(status.angle_max, angle);
       length += weight;
@@ -221,11 +231,11 @@ std::vector<CreaseStatus> Simulation::creases() const {
 
 Energies Simulation::energies() const {
   Energies energies;
-  energies.membrane = shell_.membraneEnergy(motion_.positions);
+  energies.membrane = shell_.shell().membraneEnergy(motion_.positions);
   energies.bending = shell_.bendingEnergy(motion_.positions);
   energies.gravity = shell_.gravityEnergy(motion_.positions);
   energies.kinetic =
-      motion_.velocities.colwise().squaredNorm().dot(shell_.masses().transpose()) / 2;
+      motion_.velocities.colwise().squaredNorm().dot(shell_.shell().masses().transpose()) / 2;
   return energies;
 }
 
@@ -233,7 +243,7 @@ Energies Simulation::energies() const {
 // adds.
 std::map<std::string, Wrench> Simulation::holdingWrenches() const {
   Positions forces = (motion_.accelerations + config_.material.air_damping * motion_.velocities) *
-                     shell_.masses().asDiagonal();
+                     shell_.shell().masses().asDiagonal();
   shell_.addGradient(motion_.positions, forces);
   const auto add = [&](int v, const Pose& pose, Wrench& wrench) {
     const Vector3 force = pose.orientation.conjugate() * Vector3(forces.col(v));

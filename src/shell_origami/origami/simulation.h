@@ -3,7 +3,7 @@
 #pragma once
 
 #include <shell_origami/dynamics/stepper.h>
-#include <shell_origami/energy/shell.h>
+#include <shell_origami/energy/shell_potential.h>
 #include <shell_origami/origami/edit.h>
 #include <shell_origami/origami/snapshot.h>
 #include <shell_origami/sheet/fold_line.h>
@@ -84,7 +84,7 @@ class Simulation {
   StepReport settle();
 
   const Sheet& sheet() const { return sheet_; }
-  const Shell& shell() const { return shell_; }
+  const ShellPotential& shell() const { return shell_; }
   const SimulationConfig& config() const { return config_; }
   const Positions& positions() const { return motion_.positions; }
   const Positions& velocities() const { return motion_.velocities; }
@@ -109,7 +109,7 @@ class Simulation {
   bool settled() const;
 
  private:
-  class StepDrive;
+  class StepConditions;
   FoldResult foldLine(const Segment& line, const FoldRequest& request);
   FoldResult foldNamed(const std::string& name, const FoldRequest& request);
   void startRamp(int crease, double target, const FoldRequest& request);
@@ -117,6 +117,8 @@ class Simulation {
   StepReport counted(StepReport report);
   void follow(const Remap& remap, const std::vector<Crease>& creases_before);
   void topologyChanged();
+  void updateRestState(double time);
+  const Potentials& potentials();
   void pinsChanged();
   std::vector<int> pinned(EditRecord edit);
   void record(EditRecord edit);
@@ -124,7 +126,8 @@ class Simulation {
 
   SimulationConfig config_;
   Sheet sheet_;
-  Shell shell_;
+  ShellPotential shell_;
+  Potentials potentials_;  ///< scratch of potentials()
   Motion motion_;
   CreaseActuation creases_;
   RestShape rest_;

@@ -47,7 +47,7 @@ FoldResult Simulation::foldLine(const Segment& line, const FoldRequest& request)
     startRamp(sheet_.creaseIndex(id), request.angle, request);
   }
   creases_.synchronize(time_);
-  creases_.apply(time_, shell_);
+  updateRestState(time_);
   EditRecord edit = foldRecord(request, made.vertices);
   edit.line = {line[0], line[1]};
   edit.name = request.name;
@@ -70,7 +70,7 @@ FoldResult Simulation::foldNamed(const std::string& name, const FoldRequest& req
   }
   if (result.crease_ids.empty()) reject("no crease or group of creases is called '", name, "'");
   creases_.synchronize(time_);
-  creases_.apply(time_, shell_);
+  updateRestState(time_);
   EditRecord edit = foldRecord(request, result.vertices);
   edit.crease = name;
   record(std::move(edit));
@@ -79,7 +79,7 @@ FoldResult Simulation::foldNamed(const std::string& name, const FoldRequest& req
 
 void Simulation::startRamp(int crease, double target, const FoldRequest& request) {
   creases_.start(crease, target, time_, request.duration.value_or(config_.fold_duration),
-                 request.stiffness.value_or(config_.material.crease_stiffness), shell_,
+                 request.stiffness.value_or(config_.material.crease_stiffness), shell_.shell(),
                  motion_.positions);
 }
 
@@ -175,7 +175,7 @@ void Simulation::configure(const LiveConfig& live) {
     for (int v : pinned()) motion_.accelerations.col(v).setZero();
   }
   config_ = changed;
-  shell_.setGravity(config_.gravity);
+  shell_.gravity = config_.gravity;
   EditRecord edit;
   edit.kind = EditRecord::kConfigure;
   edit.gravity = live.gravity;

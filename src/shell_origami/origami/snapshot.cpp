@@ -287,7 +287,7 @@ Json toJson(const Snapshot& snapshot) {
       {"rest", {{"set", snapshot.rest.set()}, {"plastic", snapshot.rest.plastic()}}},
       {"held", write(snapshot.held)},
       {"memory",
-       {{"contraction", snapshot.memory.contraction}, {"unchecked", snapshot.memory.unchecked}}},
+       {{"contraction", snapshot.solver.contraction}, {"unchecked", snapshot.solver.unchecked}}},
       {"counters", toJson(snapshot.counters)},
       {"time", snapshot.time},
       {"resting", snapshot.resting}};

@@ -2,7 +2,7 @@
 /// All that a simulation is at one moment, and how it is kept in a file or a recording.
 #pragma once
 
-#include <shell_origami/dynamics/newton.h>
+#include <shell_origami/dynamics/integrator.h>
 #include <shell_origami/energy/rest_shape.h>
 #include <shell_origami/origami/config.h>
 #include <shell_origami/origami/crease_actuation.h>
@@ -31,7 +31,7 @@ struct Snapshot {
   CreaseActuation creases;
   RestShape rest;
   HeldVertices held;
-  SolverState memory;
+  SolverState solver;
   Counters counters;
   double time = 0;  ///< [s]
   bool resting = false;

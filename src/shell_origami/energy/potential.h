@@ -1,0 +1,74 @@
+/// \file
+/// One term of the objective that a step minimizes.
+#pragma once
+
+#include <shell_origami/base/geometry.h>
+#include <shell_origami/linear/block_matrix.h>
+
+#include <memory>
+#include <optional>
+
+namespace shell_origami {
+
+/// Why the paper cannot take a configuration.
+struct Infeasibility {
+  const char* what;
+  int vertex;  ///< where; -1: everywhere
+};
+
+enum class HessianKind {
+  kConvex,  ///< positive semidefinite: what makes the energy concave is left out
+  kExact    ///< exact, or so close to it that Newton's method converges as fast
+};
+
+/// An energy of the vertices' positions that dynamics/ minimizes in a sum of several: the shell,
+/// and whatever a program adds. Const: what it keeps of a configuration is in an Iterate, of which
+/// the solver owns as many as it compares. Virtual calls are one for each potential, not for each
+/// element.
+///
+/// It is a filter of steps, too: paper goes from one configuration to another only where every
+/// potential permits the way (maxFeasibleStep() for a step of Newton's method, findInfeasibility()
+/// for any other: the start of a step, held vertices, an edit).
+class Potential {
+ public:
+  /// What a potential keeps of one configuration: fold angles, say, or the pairs in contact.
+  class Iterate {
+   public:
+    virtual ~Iterate() = default;
+  };
+
+  virtual ~Potential() = default;
+
+  virtual std::unique_ptr<Iterate> makeIterate() const = 0;
+
+  /// Fills `at` for a configuration x from which others are reached. \pre x is feasible
+  virtual void start(const Positions& x, Iterate& at) const = 0;
+  /// Returns the energy [J] at x and fills `at`. Infinite, and `at` unspecified, where x is
+  /// infeasible or cannot be reached from the configuration of `from`.
+  virtual double value(const Positions& x, const Iterate& from, Iterate& at) const = 0;
+  /// Says why value() is infinite; nothing where it is finite.
+  virtual std::optional<Infeasibility> findInfeasibility(const Positions& x,
+                                                         const Iterate& from) const = 0;
+
+  /// Adds dW/dx [N] at the configuration of `at`, and completes `at` for addHessian() and
+  /// maxFeasibleStep().
+  virtual void addGradient(const Positions& x, Iterate& at, Positions& gradient) const = 0;
+  /// The stencils of addHessian(), which may differ from iterate to iterate.
+  virtual const Stencils& stencils(const Iterate& at) const = 0;
+  virtual void addHessian(const Positions& x, const Iterate& at, HessianKind kind,
+                          HessianBlocks& blocks) const = 0;
+  /// Returns the largest part of `step` in (0, 1] that Newton's method may take from x.
+  virtual double maxFeasibleStep(const Positions& x, const Iterate& at,
+                                 const Positions& step) const = 0;
+  /// Stores in `at`, which is the iterate at x + displacement, what the displacement from x changed
+  /// to first order, where the Hessian is better for it (the membrane's stress).
+  virtual void predict(const Positions& /*x*/, const Positions& /*displacement*/,
+                       Iterate& /*at*/) const {}
+  /// Says where a whole step went further than one step may.
+  virtual std::optional<Infeasibility> findJump(const Iterate& /*from*/,
+                                                const Iterate& /*to*/) const {
+    return std::nullopt;
+  }
+};
+
+}  // namespace shell_origami
