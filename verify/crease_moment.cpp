@@ -81,9 +81,26 @@ Flap hangFlap(double theta, double max_edge) {
   return flap;
 }
 
+/// Writes moment over stiffness of creases that rest at several angles, for doc/figures.py: as
+/// creaseBend() has it, and as plain phi would.
+void drawCreaseLaw(const VerificationReport& report) {
+  FigureData figure = report.figure("crease_law", {"rest", "angle", "moment", "plain_moment"});
+  for (const double rest : {0.0, 90.0, 170.0}) {
+    for (double angle = -60; angle < 179; angle += 0.5) {
+      const double theta = angle * M_PI / 180;
+      const Bend bend = creaseBend(theta, rest * M_PI / 180);
+      const Bend plain = hingeBend(theta, rest * M_PI / 180);
+      const double slope = phi(rest * M_PI / 180).first;  // 1 per radian at rest, as the other
+      figure.row({rest, angle, bend.value * bend.first,
+                  plain.value * plain.first / (slope * slope)});
+    }
+  }
+}
+
 }  // namespace
 
 void verifyCreaseMoment(VerificationReport& report) {
+  drawCreaseLaw(report);
   const double max_edge = report.fast() ? 0.025 : 0.01;
   FigureData figure = report.figure("crease_moment", {"angle", "moment"});
   for (const double degrees : {5.0, 30.0, 60.0, 90.0, 120.0, 150.0, 170.0}) {
