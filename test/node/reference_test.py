@@ -221,7 +221,7 @@ class ReferenceTest(unittest.TestCase):
             config.pop('groups')
         self.assertEqual(lives[0], lives[1])
         # What shows in files alone.
-        code = reference.read('src', 'node', 'parameters.h')
+        code = reference.read('src', 'shell_origami', 'node', 'parameters.h')
         for field, name in (('recipe', 'recipe'), ('output', 'output'), ('checkpoint', 'checkpoint/file')):
             self.assertEqual(manual[name], '')
             self.assertIn('std::string %s;' % field, code)
