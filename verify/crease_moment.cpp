@@ -91,8 +91,8 @@ void drawCreaseLaw(const VerificationReport& report) {
       const Bend bend = creaseBend(theta, rest * M_PI / 180);
       const Bend plain = hingeBend(theta, rest * M_PI / 180);
       const double slope = phi(rest * M_PI / 180).first;  // 1 per radian at rest, as the other
-      figure.row({rest, angle, bend.value * bend.first,
-                  plain.value * plain.first / (slope * slope)});
+      figure.row(
+          {rest, angle, bend.value * bend.first, plain.value * plain.first / (slope * slope)});
     }
   }
 }
