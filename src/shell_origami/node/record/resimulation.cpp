@@ -47,9 +47,12 @@ Resimulation::Result Resimulation::run() {
     }
   }
   if (!session_) reject("it holds no whole paper to begin with, which ~edits is sent first");
+  // compare() erases the states that it has seen, so none is iterated over meanwhile.
+  std::uint64_t last = session_->steps();
   for (const auto& [moment, states] : states_) {
-    if (moment.first == session_->edits()) advanceTo(moment.second);
+    if (moment.first == session_->edits()) last = std::max(last, moment.second);
   }
+  advanceTo(last);
   result_.duration = session_->time() - start_time_;
   for (const auto& [moment, states] : states_) result_.skipped += states.size();
   return result_;
