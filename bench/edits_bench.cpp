@@ -35,7 +35,7 @@ void editInSimulation(benchmark::State& state) {
   Simulation folded = makeSimulation(recipe.sheet, recipe.config);
   RecipeRunner runner(recipe);
   while (folded.time() < 0.5 && runner.update(folded)) folded.step();
-  FoldRequest second;
+  FoldEdit second;
   second.where = Segment{Vector2(0.01, 0.14), Vector2(0.14, 0.03)};
   second.angle = 1;
   for (auto _ : state) {

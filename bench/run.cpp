@@ -49,9 +49,13 @@ Run::Run(Recipe recipe)
 bool Run::step() {
   {
     const Timer timer(edit_time_);
-    if (!runner_.update(simulation_)) return false;
+    const auto apply = [this](const Edit& edit) {
+      ++edits_;
+      simulation_.apply(edit);
+      return true;
+    };
+    if (!runner_.update(simulation_, apply)) return false;
   }
-  edits_ += simulation_.takeEdits().size();
   StepReport report;
   double wall = 0;
   const Allocations before = allocations();

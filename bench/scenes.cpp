@@ -19,7 +19,7 @@ SheetSource square(double triangles) {
 }
 
 Recipe firstFold(double triangles) {
-  FoldRequest back;
+  FoldEdit back;
   back.where = Segment{Vector2(0, 0), Vector2(kSide, kSide)};
   back.angle = -170 * M_PI / 180;
   Recipe recipe;

@@ -40,8 +40,8 @@ SimulationConfig quasiStatic() {
   return config;
 }
 
-FoldRequest foldCrease(const std::string& name, double angle, double duration) {
-  FoldRequest request;
+FoldEdit foldCrease(const std::string& name, double angle, double duration) {
+  FoldEdit request;
   request.where = CreaseName{name};
   request.angle = angle;
   request.duration = duration;

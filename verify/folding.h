@@ -20,7 +20,7 @@ Sheet vertexSheet(const std::vector<double>& directions, const std::vector<doubl
 /// Slow enough to be quasi-static: Newton's velocities below a hundredth of what is seen.
 SimulationConfig quasiStatic();
 
-FoldRequest foldCrease(const std::string& name, double angle, double duration);
+FoldEdit foldCrease(const std::string& name, double angle, double duration);
 
 /// A recipe's sheet, coarse and flat, with nothing done to it yet.
 Simulation fromRecipe(const std::string& name);

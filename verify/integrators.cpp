@@ -21,7 +21,7 @@ Simulation folding(const SolverConfig& solver, double max_edge) {
   SimulationConfig config;
   config.solver = solver;
   Simulation simulation(Sheet(triangulateRectangle(kSide, kSide, max_edge)), config);
-  FoldRequest fold;
+  FoldEdit fold;
   fold.where = Segment{Vector2(0, 0), Vector2(kSide, kSide)};
   fold.angle = kTarget;
   fold.duration = kDuration;

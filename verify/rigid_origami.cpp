@@ -61,8 +61,8 @@ Simulation foldedCone(double alpha, double radius) {
   Simulation simulation(
       vertexSheet({M_PI / 2 - alpha / 2, M_PI / 2 + alpha / 2}, {1, -1}, radius, radius / 10),
       SimulationConfig());
-  FoldRequest valley = foldCrease("rho0", 176 * kDegree, 2);
-  FoldRequest mountain = foldCrease("rho1", -176 * kDegree, 2);
+  FoldEdit valley = foldCrease("rho0", 176 * kDegree, 2);
+  FoldEdit mountain = foldCrease("rho1", -176 * kDegree, 2);
   valley.stiffness = mountain.stiffness = 0.5;
   simulation.fold(valley);
   simulation.fold(mountain);

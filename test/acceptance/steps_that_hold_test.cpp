@@ -17,8 +17,8 @@ Simulation square(const SimulationConfig& config, double max_edge = 0.015) {
   return Simulation(Sheet(triangulateRectangle(kSide, kSide, max_edge)), config);
 }
 
-FoldRequest diagonal(double angle, double duration) {
-  FoldRequest request;
+FoldEdit diagonal(double angle, double duration) {
+  FoldEdit request;
   request.where = Segment{Vector2(0, 0), Vector2(kSide, kSide)};
   request.angle = angle;
   request.duration = duration;
@@ -117,7 +117,7 @@ TEST(StepsThatHold, SettlesAtOnceWhereTimeWouldTakeIt) {
   const auto make = [&config] {
     Simulation simulation = square(config);
     simulation.pin(Region{{{0, 0}, {0.02, 0}, {0.02, kSide}, {0, kSide}}});
-    FoldRequest fold;
+    FoldEdit fold;
     fold.where = Segment{Vector2(0.08, 0), Vector2(0.08, kSide)};
     fold.angle = 60 * kDegree;
     fold.duration = 0.2;

@@ -57,7 +57,7 @@ void foldOneSheet(RandomSheets& random, int most, Seen& seen) {
   const int count = std::min(most, 1 + random.below(12));
   for (int i = 0; i < count; ++i) {
     ++seen.folds;
-    FoldRequest request;
+    FoldEdit request;
     request.where = random.line(simulation.sheet());
     request.angle = random.between(-175, 175) * M_PI / 180;
     request.duration = random.between(0.3, 1);

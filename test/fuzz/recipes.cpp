@@ -39,7 +39,7 @@ FoldStep randomFolds(RandomSheets& random, const SheetSource& sheet) {
   FoldStep step;
   step.duration = std::max(0.0, random.between(-0.3, 1));  // in a quarter of the folds 0
   for (int i = 1 + random.below(2); i > 0; --i) {
-    FoldRequest fold;
+    FoldEdit fold;
     const auto point = [&] {
       return Vector2(random.between(0, sheet.width), random.between(0, sheet.height));
     };

@@ -2,6 +2,7 @@
 """A TF frame holds an edge of the paper and carries it; what holds the paper is felt."""
 
 import math
+import threading
 
 import rospy
 import rostest
@@ -133,6 +134,31 @@ class HeldFramesTest(NodeTest):
             self.origami.state()  # which publishes what holds it
             self.assertTrue(self.origami.alive(), name)
         Recorder('/origami/wrench/9_lives', WrenchStamped).wait()
+
+    def test_a_frame_may_be_first_heard_of_a_moment_after_the_request(self):
+        held, answers = [1], []
+        request = threading.Thread(
+            target=lambda: answers.append(self.origami.call('pin', vertices=held, frame_id='late')))
+        request.start()
+        self.origami.do('pin', vertices=[3])
+        self.origami.do('unpin', vertices=[3])
+        self.assertEqual(answers, [], 'others are answered meanwhile')
+        MovingFrame('late')
+        request.join()
+        self.assertTrue(answers[0].success, answers[0].message)
+
+    def test_a_frame_that_holds_nothing_any_more_has_no_wrench(self):
+        def wrenches():
+            return {name for name, _ in rospy.get_published_topics('/origami/wrench')}
+        held = self.hold()
+        self.origami.state()
+        self.assertEqual(wrenches(), {'/origami/wrench/world', '/origami/wrench/hand'})
+        self.origami.do('unpin', vertices=held)
+        self.origami.state()
+        self.assertEqual(wrenches(), {'/origami/wrench/world'})
+        self.origami.do('unpin')
+        self.origami.state()
+        self.assertEqual(wrenches(), set())
 
     def test_let_go_it_hangs_from_what_is_left(self):
         held = self.hold()

@@ -11,6 +11,8 @@ import rostest
 from origami_client import NodeTest, line
 
 STEP = 1.0 / 60
+SQUARE = """{"vertices_coords": [[0, 0], [2, 0], [2, 2], [0, 2]], "faces_vertices": [[0, 1, 2, 3]],
+"edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0]], "edges_assignment": ["B", "B", "B", "B"]}"""
 RECIPE = """
 sheet: {size: [0.1, 0.05], max_edge: 0.02}
 material: {thickness: 2.0e-4}
@@ -54,10 +56,22 @@ class LoadTest(NodeTest):
         loaded = self.origami.do('load', path=self.recipe)
         self.assertEqual(loaded.vertices, len(self.origami.sheet().flat_positions))
         self.assertExtent(0.1, 0.05)
-        self.assertEqual(self.origami.last_edit('load').path, self.recipe)
+        edit = self.origami.last_edit('load')
+        self.assertEqual((edit.path, edit.number), (self.recipe, loaded.edit))
         later = self.origami.do('step', steps=10).time
         self.assertAlmostEqual(later, time + 10 * STEP, delta=1e-9)
         self.assertEqual(len(self.origami.state().creases), 0, 'its steps are not run')
+
+    def test_a_file_without_a_unit_needs_a_scale(self):
+        path = os.path.join(self.folder, 'square.fold')
+        with open(path, 'w') as file:
+            file.write(SQUARE)
+        refused = self.origami.call('load', path=path)
+        self.assertFalse(refused.success)
+        self.assertIn('scale', refused.message)
+        loaded = self.origami.do('load', path=path, scale=0.06)
+        self.assertGreater(loaded.triangles, 2)
+        self.assertExtent(0.12, 0.12)
 
     def test_reset_gives_the_loaded_paper(self):
         loaded = self.origami.do('load', path=self.recipe)

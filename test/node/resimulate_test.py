@@ -3,6 +3,7 @@
 
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -15,7 +16,8 @@ import rospy
 import rostest
 
 from moving_frame import MovingFrame
-from origami_client import NodeTest, line
+from origami_client import NodeTest, Recorder, line
+from shell_origami.msg import Edit
 
 TOPICS = ['/origami/sheet', '/origami/state', '/origami/edits']
 SIDE = 0.15
@@ -134,6 +136,49 @@ class ResimulateTest(NodeTest):
         answer = resimulate(self.copy(cut))
         self.assertEqual(answer.returncode, 2, answer.stdout)
         self.assertIn('holds no paper', answer.stdout)
+
+    def bag_at_rest(self, name, paper, state, count):
+        """So many states of paper that rests."""
+        path = os.path.join(self.folder, name)
+        with rosbag.Bag(path, 'w') as bag:
+            bag.write('/origami/edits', paper, rospy.Time(1))
+            for i in range(count):
+                state.step = paper.step + i
+                bag.write('/origami/state', state, rospy.Time(1 + i // 30, i % 30 * 33000000))
+        return path
+
+    def test_a_long_bag_takes_no_more_memory_than_a_short_one(self):
+        recipe = os.path.join(self.folder, 'large.yaml')
+        with open(recipe, 'w') as file:
+            file.write('sheet: {size: [0.15, 0.15], max_edge: 0.0025}\nsteps: []\n')
+        self.origami.do('load', path=recipe)
+        paper = Recorder('/origami/edits', Edit).wait(lambda edit: edit.kind == 'paper')
+        state = self.origami.state()
+        self.assertGreater(len(state.positions), 4000)
+        counts, peaks = (20, 2500), []
+        for count in counts:
+            answer = resimulate(self.bag_at_rest('rest%d.bag' % count, paper, state, count))
+            self.assertEqual(answer.returncode, 0, answer.stdout)
+            self.assertIn('%d states over' % count, answer.stdout)
+            # The largest of all so far [kB].
+            peaks.append(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1e3)
+        size = os.path.getsize(os.path.join(self.folder, 'rest2500.bag')) / 1e6
+        rospy.loginfo('peaks of %d and %d states: %s MB; the bag: %d MB', *counts, peaks, size)
+        self.assertGreater(size, 100)
+        self.assertLess(peaks[1] - peaks[0], 0.2 * size)
+
+    def test_a_state_that_is_not_finite_differs(self):
+        self.origami.do('resume')
+        self.start_recording()
+        self.stop_recording()
+
+        def spoil(topic, message):
+            if topic == '/origami/state':
+                message.positions[5].z = float('nan')
+            return message
+        answer = resimulate(self.copy(spoil))
+        self.assertEqual(answer.returncode, 1, answer.stdout)
+        self.assertIn('by inf m', answer.stdout)
 
     def test_what_is_no_recording_is_refused_with_a_sentence(self):
         other = os.path.join(self.folder, 'other.bag')

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Every service of the node does what it says."""
 
+import math
 import os
 import shutil
 import tempfile
@@ -48,6 +49,10 @@ class ServicesTest(NodeTest):
         self.assertAlmostEqual(crease.target_angle, 2.9, delta=1e-6)
         self.assertAlmostEqual(crease.rest_angle, 2.9, delta=1e-6)
         self.assertAlmostEqual(crease.angle, 2.9, delta=0.05)
+
+    def test_an_angle_of_almost_pi_rests_at_179_degrees(self):
+        answer = self.origami.do('fold', line=line(0.075, 0, 0.075, SIDE), angle=-3.14159)
+        self.assertIn('to %.6f rad, the most' % -math.radians(179), answer.message)
 
     def test_a_mountain_has_a_negative_angle(self):
         self.origami.do('fold', line=line(0.075, 0, 0.075, SIDE), angle=-1.0, duration=0.5)
@@ -144,6 +149,42 @@ class ServicesTest(NodeTest):
         self.assertEqual(list(self.origami.state().pinned), [0, 2])
         self.assertEqual(self.origami.do('unpin').vertices, (0, 2))
         self.assertEqual(list(self.origami.state().pinned), [])
+
+    def test_an_answer_tells_the_number_of_its_edit(self):
+        a, b = self.vertices_at(0, 0)[0], self.vertices_at(SIDE, SIDE)[0]
+        numbers = [
+            self.origami.do('fold', vertices=[a, b], angle=1).edit,
+            self.origami.do('pin', vertices=[a]).edit,
+            self.origami.do('unpin', vertices=[a]).edit,
+            self.origami.do('add_vertex', edge=self.origami.sheet().triangles[0].vertex_indices[:2],
+                            fraction=0.5).edit]
+        self.assertEqual(numbers, list(range(numbers[0], numbers[0] + 4)))
+        kinds = [self.origami.edits.wait(lambda edit: edit.number == number).kind
+                 for number in numbers]
+        self.assertEqual(kinds, ['fold', 'pin', 'unpin', 'add_vertex'])
+        self.assertEqual(self.origami.state().edits, numbers[-1])
+
+    def test_folds_of_one_moment_run_together(self):
+        # Each covers the same part of its way in tan(angle/2), as the creases of one vertex do.
+        for number, angle in enumerate((2.0, -0.5)):
+            x = 0.05 * (number + 1)
+            self.origami.do('fold', line=line(x, 0, x, SIDE), angle=angle, duration=0.5)
+        self.origami.do('step', steps=12)
+        parts = [math.tan(c.rest_angle / 2) / math.tan(c.target_angle / 2)
+                 for c in self.origami.state().creases]
+        self.assertGreater(parts[0], 0.1)
+        self.assertLess(parts[0], 0.5)
+        self.assertAlmostEqual(parts[0], parts[1], delta=1e-5)
+
+    def test_a_paused_node_says_that_nothing_will_move(self):
+        for answer in (self.origami.do('reset'),
+                       self.origami.do('fold', line=line(0.05, 0, 0.05, SIDE), angle=1)):
+            self.assertIn('the node is paused: call ~resume', answer.message)
+        self.assertTrue(self.origami.state().paused)
+        self.origami.do('resume')
+        answer = self.origami.do('fold', line=line(0.1, 0, 0.1, SIDE), angle=1)
+        self.assertNotIn('paused', answer.message)
+        self.assertFalse(self.origami.states.wait(lambda state: state.edits >= answer.edit).paused)
 
     def test_step_takes_exactly_so_many_steps(self):
         start = self.origami.do('step', steps=1).time

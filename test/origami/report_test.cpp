@@ -49,8 +49,7 @@ class Report : public testing::Test {
   void SetUp() override {
     folder_ = fs::path(testing::TempDir()) / ("report_test." + std::to_string(getpid()));
     fs::create_directories(folder_);
-    FoldRequest fold{Segment{Vector2(0.05, 0), Vector2(0.05, 0.1)}, 0.5, 0.05, std::nullopt,
-                     "spine"};
+    FoldEdit fold{Segment{Vector2(0.05, 0), Vector2(0.05, 0.1)}, 0.5, 0.05, std::nullopt, "spine"};
     simulation_.fold(fold);
     for (int i = 0; i < 6; ++i) ASSERT_TRUE(simulation_.step().converged);
   }

@@ -17,8 +17,8 @@ Simulation square(const SimulationConfig& config = {}, double max_edge = 0.02) {
   return Simulation(Sheet(triangulateRectangle(kSide, kSide, max_edge)), config);
 }
 
-FoldRequest diagonal(double angle, double duration = 0.5) {
-  FoldRequest request;
+FoldEdit diagonal(double angle, double duration = 0.5) {
+  FoldEdit request;
   request.where = Segment{Vector2(0, 0), Vector2(kSide, kSide)};
   request.angle = angle;
   request.duration = duration;
@@ -82,26 +82,24 @@ TEST(Simulation, InterruptedRampGoesOnFromWhereItIs) {
 
 TEST(Simulation, AStoppedFoldEndsWhereItIs) {
   Simulation simulation = square();
-  simulation.fold(diagonal(120 * kDegree));
+  const EditRecord fold = simulation.fold(diagonal(120 * kDegree));
   while (simulation.time() < 0.2) simulation.step();
   const double reached = simulation.creases()[0].rest_angle;
   EXPECT_GT(reached, 20 * kDegree);
   EXPECT_LT(reached, 100 * kDegree);
-  simulation.stopFolds();
+  const EditRecord stop = simulation.apply(StopEdit{});
   EXPECT_FALSE(simulation.folding());
   settle(simulation);
   EXPECT_DOUBLE_EQ(simulation.creases()[0].rest_angle, reached);
   EXPECT_DOUBLE_EQ(simulation.creases()[0].target_angle, reached);
   EXPECT_NEAR(simulation.creases()[0].angle, reached, 0.3 * kDegree);
   simulation.stopFolds();  // nothing is under way
-  const std::vector<EditRecord> edits = simulation.takeEdits();
-  ASSERT_EQ(edits.size(), 2u);
-  EXPECT_EQ(edits[1].kind, EditRecord::kStop);
+  EXPECT_DOUBLE_EQ(simulation.creases()[0].rest_angle, reached);
 
   Simulation again = square();
-  again.redo(edits[0]);
-  while (again.counters().steps < edits[1].step) again.step();
-  again.redo(edits[1]);
+  again.apply(fold.edit);
+  while (again.counters().steps < stop.step) again.step();
+  again.apply(stop.edit);
   EXPECT_EQ(again.creases()[0].rest_angle, reached);
 }
 
@@ -111,7 +109,7 @@ TEST(Simulation, SameCallsGiveTheSameBits) {
     simulation.pin(Region{{{0, 0}, {0.03, 0}, {0.03, 0.03}}});
     simulation.fold(diagonal(160 * kDegree));
     for (int i = 0; i < 40; ++i) simulation.step();
-    FoldRequest second = diagonal(-60 * kDegree);
+    FoldEdit second = diagonal(-60 * kDegree);
     second.where = Segment{Vector2(0.02, 0.12), Vector2(0.14, 0.05)};
     simulation.fold(second);
     for (int i = 0; i < 40; ++i) simulation.step();
@@ -249,7 +247,7 @@ TEST(Simulation, ANewGravityWakesPaperThatRestsAndLeavesPinsAlone) {
 TEST(Simulation, ANewFoldDurationIsThatOfTheNextFold) {
   Simulation simulation = square();
   simulation.configure({Vector3::Zero(), 5, 0.25});
-  FoldRequest fold = diagonal(1);
+  FoldEdit fold = diagonal(1);
   fold.duration.reset();
   simulation.fold(fold);
   for (int i = 0; i < 14; ++i) simulation.step();
@@ -263,7 +261,7 @@ TEST(Simulation, EditsOnBentPaperKeepItsShape) {
   simulation.fold(diagonal(100 * kDegree));
   settle(simulation);
   const double energy = simulation.energies().membrane + simulation.energies().bending;
-  FoldRequest second;
+  FoldEdit second;
   second.where = Segment{Vector2(0, 0.04), Vector2(kSide, 0.1)};
   second.angle = 1;
   simulation.fold(second);
@@ -280,7 +278,7 @@ TEST(Simulation, RefusedEditsChangeNothing) {
   const Positions before = simulation.positions();
   const std::uint32_t revision = simulation.sheet().revision();
   const double nan = std::nan("");
-  std::vector<FoldRequest> bad;
+  std::vector<FoldEdit> bad;
   for (const double angle : {M_PI, -M_PI, 4.0, nan, HUGE_VAL}) bad.push_back(diagonal(angle));
   for (const double duration : {-1.0, nan, HUGE_VAL}) bad.push_back(diagonal(1, duration));
   for (const double stiffness : {0.0, -1.0, nan, HUGE_VAL, 1e9}) {
@@ -296,7 +294,7 @@ TEST(Simulation, RefusedEditsChangeNothing) {
   }
   bad.push_back(diagonal(1));
   bad.back().where = Segment{Vector2(0, 0), Vector2(1, 1)};
-  for (const FoldRequest& request : bad) {
+  for (const FoldEdit& request : bad) {
     EXPECT_THROW(simulation.fold(request), std::invalid_argument);
   }
   EXPECT_THROW(simulation.pin(std::vector<std::int64_t>{-1}), std::invalid_argument);
@@ -305,7 +303,8 @@ TEST(Simulation, RefusedEditsChangeNothing) {
   EXPECT_THROW(simulation.pin(Region{{{0, 0}, {1, 1}}}), std::invalid_argument);
   EXPECT_THROW(simulation.pin(Ball{{0, 0, 0}, -1}), std::invalid_argument);
   EXPECT_THROW(simulation.pin(Ball{{0, 0, 9}, 0.1}), std::invalid_argument);
-  EXPECT_THROW(simulation.unpin({3}), std::invalid_argument);
+  EXPECT_THROW(simulation.unpin(std::vector<std::int64_t>{3}), std::invalid_argument);
+  EXPECT_THROW(simulation.unpin(std::vector<Vector2>{{9, 9}}), std::invalid_argument);
   EXPECT_THROW(simulation.addVertex(0, 1000, 0.5), std::invalid_argument);
   const Vector3 none = Vector3::Zero();
   for (const LiveConfig& live :
@@ -318,7 +317,6 @@ TEST(Simulation, RefusedEditsChangeNothing) {
   EXPECT_EQ(simulation.positions(), before);
   EXPECT_EQ(simulation.sheet().revision(), revision);
   EXPECT_TRUE(simulation.pinned().empty());
-  EXPECT_EQ(simulation.takeEdits().size(), 1u);
 }
 
 TEST(Simulation, RefusesAConfigThatMakesNoSense) {
@@ -342,7 +340,7 @@ TEST(Simulation, APiecePartOfACreaseKeepsItsRamp) {
   Simulation simulation = square();
   simulation.fold(diagonal(90 * kDegree));
   settle(simulation);
-  FoldRequest tip = diagonal(-90 * kDegree);
+  FoldEdit tip = diagonal(-90 * kDegree);
   tip.where = Segment{Vector2(0.1, 0.1), Vector2(kSide, kSide)};
   tip.name = "tip";
   simulation.fold(tip);
@@ -353,29 +351,41 @@ TEST(Simulation, APiecePartOfACreaseKeepsItsRamp) {
   }
 }
 
-TEST(Simulation, EveryEditIsOnRecord) {
+TEST(Simulation, ARecordHoldsWhatTheEditMeantAndDid) {
   Simulation simulation = square();
-  simulation.fold(diagonal(1));
+  const int corner = simulation.sheet().nearestVertex({kSide, kSide});
+  const std::vector<std::int64_t> pair{simulation.sheet().nearestVertex({0, 0}), corner};
+  FoldEdit fold = diagonal(1);
+  fold.where = VertexPair{{pair[0], pair[1]}};
+  fold.duration.reset();
+  const EditRecord folded = simulation.apply(fold);
+  EXPECT_EQ(folded.step, 0u);
+  EXPECT_EQ(folded.vertices.back(), corner);
+  EXPECT_EQ(folded.revision, simulation.sheet().revision());
+  const auto& made = std::get<FoldEdit>(folded.edit);
+  EXPECT_EQ(std::get<Segment>(made.where)[1], Vector2(kSide, kSide));
+  EXPECT_EQ(made.duration, SimulationConfig().fold_duration);
+  EXPECT_EQ(made.stiffness, Material().crease_stiffness);
+
   simulation.step();
-  simulation.pin(std::vector<std::int64_t>{3, 2});
-  simulation.unpin({3});
+  const EditRecord pinned = simulation.apply(PinEdit{std::vector<Vector2>{{kSide, kSide}}});
+  EXPECT_EQ(pinned.step, 1u);
+  EXPECT_EQ(pinned.time, simulation.time());
+  EXPECT_EQ(pinned.vertices, std::vector<int>{corner});
+  EXPECT_EQ(std::get<std::vector<std::int64_t>>(std::get<PinEdit>(pinned.edit).where),
+            std::vector<std::int64_t>{corner});
+
+  const EditRecord freed = simulation.apply(UnpinEdit{});
+  EXPECT_EQ(freed.vertices, std::vector<int>{corner});
+  EXPECT_EQ(std::get<std::vector<std::int64_t>>(*std::get<UnpinEdit>(freed.edit).where),
+            std::vector<std::int64_t>{corner});
+  EXPECT_TRUE(simulation.apply(UnpinEdit{}).vertices.empty());
+
   const Edge edge = simulation.sheet().edges()[0];
-  simulation.addVertex(edge.vertices[0], edge.vertices[1], 0.5);
-  simulation.configure({{0, 0, -1}, 2, 3});
-  const std::vector<EditRecord> edits = simulation.takeEdits();
-  ASSERT_EQ(edits.size(), 5u);
-  EXPECT_EQ(edits[0].kind, EditRecord::kFold);
-  EXPECT_EQ(edits[0].step, 0u);
-  EXPECT_EQ(edits[1].kind, EditRecord::kPin);
-  EXPECT_EQ(edits[1].step, 1u);
-  EXPECT_EQ(edits[1].vertices, (std::vector<int>{2, 3}));
-  EXPECT_EQ(edits[2].vertices, (std::vector<int>{3}));
-  EXPECT_EQ(edits[3].revision, simulation.sheet().revision());
-  EXPECT_EQ(edits[4].kind, EditRecord::kConfigure);
-  EXPECT_EQ(edits[4].gravity, Vector3(0, 0, -1));
-  EXPECT_EQ(edits[4].air_damping, 2);
-  EXPECT_EQ(edits[4].duration, 3);
-  EXPECT_TRUE(simulation.takeEdits().empty());
+  const EditRecord added =
+      simulation.apply(AddVertexEdit{{edge.vertices[0], edge.vertices[1]}, 0.5});
+  EXPECT_EQ(added.vertices, std::vector<int>{simulation.sheet().vertexCount() - 1});
+  EXPECT_EQ(added.revision, simulation.sheet().revision());
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ void run(Simulation& simulation, int steps) {
   for (int i = 0; i < steps; ++i) ASSERT_TRUE(simulation.step().converged);
 }
 
-FoldRequest along(const Vector2& a, const Vector2& b, double angle) {
-  FoldRequest fold;
+FoldEdit along(const Vector2& a, const Vector2& b, double angle) {
+  FoldEdit fold;
   fold.where = Segment{a, b};
   fold.angle = angle;
   fold.duration = 0.4;
@@ -61,17 +61,21 @@ Simulation busyPaper() {
   return simulation;
 }
 
-void carryOn(Simulation& simulation) {
+/// Returns the records of its edits.
+std::vector<EditRecord> carryOn(Simulation& simulation) {
+  std::vector<EditRecord> records;
+  const auto make = [&](const Edit& edit) { records.push_back(simulation.apply(edit)); };
   for (int i = 1; i <= 12; ++i) {
-    simulation.carry("left", Pose{{0.2, 0, 0.002 * i}});
+    make(CarryEdit{"left", Pose{{0.2, 0, 0.002 * i}}});
     run(simulation, 1);
   }
-  simulation.fold(along({0.03, kSide}, {kSide, 0.03}, 0.4));
+  make(along({0.03, kSide}, {kSide, 0.03}, 0.4));
   run(simulation, 12);
-  ASSERT_TRUE(simulation.settle().converged);
+  make(SettleEdit{});
   run(simulation, 3);
-  simulation.unpin();
+  make(UnpinEdit{});
   run(simulation, 3);
+  return records;
 }
 
 TEST(Snapshot, PaperGoesOnToTheBitFromAnyMoment) {
@@ -114,16 +118,17 @@ TEST(Snapshot, PaperAtRestStaysThere) {
 
 TEST(Snapshot, EditsDoneAgainGiveTheSameBits) {
   Simulation simulation = busyPaper();
-  simulation.takeEdits();
   const Snapshot start = simulation.snapshot();
-  simulation.addVertex(0, simulation.sheet().edges()[0].vertices[1], 0.3);
-  simulation.configure({{0, 0.5, -3}, 2, 0.7});
-  carryOn(simulation);
+  std::vector<EditRecord> records;
+  const int end = simulation.sheet().edges()[0].vertices[1];
+  records.push_back(simulation.apply(AddVertexEdit{{0, end}, 0.3}));
+  records.push_back(simulation.apply(ConfigureEdit{{{0, 0.5, -3}, 2, 0.7}}));
+  for (EditRecord& record : carryOn(simulation)) records.push_back(std::move(record));
   Simulation again(start);
-  for (const EditRecord& edit : simulation.takeEdits()) {
-    while (again.counters().steps < edit.step) ASSERT_TRUE(again.step().converged);
-    again.redo(edit);
-    EXPECT_EQ(again.sheet().revision(), edit.revision);
+  for (const EditRecord& record : records) {
+    while (again.counters().steps < record.step) ASSERT_TRUE(again.step().converged);
+    again.apply(record.edit);
+    EXPECT_EQ(again.sheet().revision(), record.revision);
   }
   while (again.counters().steps < simulation.counters().steps) again.step();
   expectSame(simulation, again);

@@ -8,7 +8,6 @@ namespace {
 
 /// Creases rest on this side of 180 degrees; what swings further is stopped by the energy, which
 /// grows without bound, before it comes to the last angle.
-constexpr double kLastRestAngle = 179 * M_PI / 180;
 constexpr double kLastAngle = 179.99 * M_PI / 180;
 /// A step of the search takes at most this part of the way to the last angle.
 constexpr double kPartOfRoom = 0.9;
@@ -24,7 +23,9 @@ double heightOn(const Vector2& a, const Vector2& b, const Vector2& apex) {
 }
 
 /// The rest angle [rad], held short of 180 degrees.
-FoldAngle restAngle(double asked) { return std::clamp(asked, -kLastRestAngle, kLastRestAngle); }
+FoldAngle restAngle(double asked) {
+  return std::clamp(asked, -kLargestRestAngle, kLargestRestAngle);
+}
 
 bool passedShut(const FoldAngle& theta, const FoldAngle& before) {
   return std::abs(theta.radians) > kLastAngle && std::abs(theta.radians) > std::abs(before.radians);

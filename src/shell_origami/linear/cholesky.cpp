@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <mutex>
 #include <vector>
 
 namespace shell_origami {
@@ -82,6 +83,9 @@ struct Cholesky::Implementation {
 };
 
 std::vector<int> eliminationOrder(const VertexGraph& graph) {
+  // METIS draws from the process's one sequence of random numbers.
+  static std::mutex one_at_a_time;
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
   cholmod_common common;
   cholmod_start(&common);
   common.print = 0;

@@ -97,7 +97,7 @@ std::vector<msg::CreaseState> creaseStates(const Simulation& simulation) {
   return states;
 }
 
-msg::SheetState stateMessage(const Session& session, const std_msgs::Header& header) {
+msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs::Header& header) {
   const Simulation& simulation = session.simulation();
   msg::SheetState message;
   message.header = header;
@@ -112,6 +112,7 @@ msg::SheetState stateMessage(const Session& session, const std_msgs::Header& hea
   message.creases = creaseStates(simulation);
   message.pinned.assign(simulation.pinned().begin(), simulation.pinned().end());
   message.settled = simulation.settled();
+  message.paused = paused;
   return message;
 }
 
@@ -132,11 +133,11 @@ msg::Energy energyMessage(const Session& session, const StepReport& step, double
   return message;
 }
 
-FoldRequest foldRequest(const msg::Fold::Request& request) {
+FoldEdit foldEdit(const msg::Fold::Request& request) {
   requireOne({{"crease", !request.crease.empty()},
               {"vertices", !request.vertices.empty()},
               {"line", !request.line.empty()}});
-  FoldRequest fold;
+  FoldEdit fold;
   if (!request.crease.empty()) {
     fold.where = CreaseName{request.crease};
   } else if (!request.vertices.empty()) {
@@ -145,6 +146,12 @@ FoldRequest foldRequest(const msg::Fold::Request& request) {
   } else {
     requireTwo("line", request.line.size());
     const std::vector<Vector2> ends = flatPoints("line", request.line);
+    for (std::size_t i = 0; i < request.line.size(); ++i) {
+      const geometry_msgs::Point& p = request.line[i];
+      if (p.z == 0) continue;
+      reject("line[", i, "] is (", p.x, ", ", p.y, ", ", p.z,
+             "), but its z must be 0: a line is given on the flat sheet, not on folded paper");
+    }
     fold.where = Segment{ends[0], ends[1]};
   }
   fold.angle = request.angle;

@@ -18,7 +18,7 @@ namespace shell_origami {
 
 msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header);
 std::vector<msg::CreaseState> creaseStates(const Simulation& simulation);
-msg::SheetState stateMessage(const Session& session, const std_msgs::Header& header);
+msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs::Header& header);
 msg::Energy energyMessage(const Session& session, const StepReport& step, double real_time_factor,
                           const std_msgs::Header& header);
 
@@ -28,7 +28,7 @@ void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives);
 
 /// \throws std::invalid_argument unless exactly one of crease, vertices and line is given, with
 ///         two finite ends.
-FoldRequest foldRequest(const msg::Fold::Request& request);
+FoldEdit foldEdit(const msg::Fold::Request& request);
 
 /// What to pin. The ball's center is taken as it stands, whatever its frame.
 /// \throws std::invalid_argument unless exactly one of vertices, points, region and center with

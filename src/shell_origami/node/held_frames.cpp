@@ -49,18 +49,22 @@ geometry_msgs::TransformStamped HeldFrames::lookUp(const std::string& frame,
   return tf_.lookupTransform(origami_.config().world_frame, frame, time);
 }
 
-std::vector<int> HeldFrames::pin(const PinWhere& where, const std::string& frame) {
+void HeldFrames::requireForeign(const std::string& frame) const {
   if (frame == "paper" || frame.rfind("panel_", 0) == 0) {
     reject("frame_id is \"", frame, "\", which is the paper's own and cannot hold it");
   }
+}
+
+EditRecord HeldFrames::pin(const PinWhere& where, const std::string& frame) {
+  requireForeign(frame);
   std_msgs::Header latest;
   latest.frame_id = frame;
   const geometry_msgs::TransformStamped transform =
       transformToWorld("frame_id is", latest, origami_.config().world_frame, tf_);
   const bool follows = origami_.session().simulation().held().grips().count(frame) > 0;
-  std::vector<int> vertices = origami_.session().simulation().pin(where, frame, poseOf(transform));
+  EditRecord record = origami_.apply(PinEdit{where, frame, poseOf(transform)});
   if (!follows) followers_[frame] = {transform.header.stamp, 0};
-  return vertices;
+  return record;
 }
 
 void HeldFrames::carry(double time_step, const ros::Time& end) {
@@ -69,6 +73,10 @@ void HeldFrames::carry(double time_step, const ros::Time& end) {
     follower = grips.count(follower->first) ? std::next(follower) : followers_.erase(follower);
   }
   for (const auto& [frame, grip] : grips) carry(frame, grip, time_step, end);
+}
+
+void HeldFrames::moveTo(const Pose& pose, const std::string& frame, const Grip& grip) {
+  if (!(grip.next == pose)) origami_.apply(CarryEdit{frame, pose});
 }
 
 void HeldFrames::carry(const std::string& frame, const Grip& grip, double time_step,
@@ -96,8 +104,9 @@ void HeldFrames::carry(const std::string& frame, const Grip& grip, double time_s
                         frame.c_str(), distance, kFastest);
       pose = poseBetween(grip.pose, pose, kFastest * time_step / distance);
     }
-    origami_.session().simulation().carry(frame, pose);
+    moveTo(pose, frame, grip);
   } catch (const std::exception& error) {
+    moveTo(grip.pose, frame, grip);
     ROS_WARN_THROTTLE(kWarnPeriod, "frame %s is lost, and the paper waits: %s", frame.c_str(),
                       error.what());
   }

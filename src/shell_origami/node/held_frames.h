@@ -8,7 +8,6 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 namespace shell_origami {
 
@@ -25,9 +24,11 @@ class HeldFrames {
   HeldFrames& operator=(const HeldFrames&) = delete;
   ~HeldFrames();
 
+  /// \throws std::invalid_argument when a frame is the paper's own, and cannot hold it
+  void requireForeign(const std::string& frame) const;
   /// Lets a frame hold vertices from now on. \throws std::invalid_argument when TF does not know
   /// where it is, or it is the paper's own.
-  std::vector<int> pin(const PinWhere& where, const std::string& frame);
+  EditRecord pin(const PinWhere& where, const std::string& frame);
 
  private:
   struct Follower {
@@ -37,6 +38,7 @@ class HeldFrames {
 
   void carry(double time_step, const ros::Time& end);
   void carry(const std::string& frame, const Grip& grip, double time_step, const ros::Time& end);
+  void moveTo(const Pose& pose, const std::string& frame, const Grip& grip);
   geometry_msgs::TransformStamped lookUp(const std::string& frame, const ros::Time& time) const;
 
   OrigamiNode& origami_;

@@ -106,9 +106,8 @@ void LiveParameters::apply(const OrigamiConfig& wanted) {
   node.real_time_factor = wanted.real_time_factor;
   node.vertex_ids = wanted.vertex_ids;
   checkParameters(node);
-  Simulation& simulation = origami_.session().simulation();
   const LiveConfig live = physics(wanted);
-  if (!same(live, simulation.config())) simulation.configure(live);
+  if (!same(live, origami_.session().simulation().config())) origami_.apply(ConfigureEdit{live});
   origami_.configure(node);
 }
 

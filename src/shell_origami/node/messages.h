@@ -1,6 +1,6 @@
 /// \file
 /// The package's messages as msg::Sheet, msg::Fold and so on. catkin generates them straight into
-/// namespace shell_origami, where Sheet, Crease and FoldRequest are words of the core, so this is
+/// namespace shell_origami, where Sheet, Crease and Edit are words of the core, so this is
 /// the only file that includes them.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 #define Sheet SheetMessage
 #define Crease CreaseMessage
-#define FoldRequest FoldRequestMessage
+#define Edit EditMessage
 #include <shell_origami/AddVertex.h>
 #include <shell_origami/Edit.h>
 #include <shell_origami/Energy.h>
@@ -25,7 +25,7 @@
 #include <shell_origami/SheetState.h>
 #include <shell_origami/Step.h>
 #include <shell_origami/Unpin.h>
-#undef FoldRequest
+#undef Edit
 #undef Crease
 #undef Sheet
 
@@ -33,9 +33,9 @@ namespace shell_origami {
 namespace msg {
 
 using Crease = CreaseMessage;
+using Edit = EditMessage;
 using Sheet = SheetMessage;
 using ::shell_origami::CreaseState;
-using ::shell_origami::Edit;
 using ::shell_origami::Energy;
 using ::shell_origami::FoldRecipeAction;
 using ::shell_origami::FoldRecipeFeedback;

@@ -1,5 +1,6 @@
 #include <shell_origami/node/origami_node.h>
 
+#include <shell_origami/base/error.h>
 #include <shell_origami/node/message_text.h>
 #include <shell_origami/node/record/edit_messages.h>
 
@@ -17,6 +18,8 @@ namespace {
 constexpr double kIdlePeriod = 0.5;
 /// How often to look whether someone records by now [s].
 constexpr double kWaitPeriod = 0.02;
+/// How many requests may be at work in the background after they were ended.
+constexpr std::size_t kMostEnding = 4;
 /// How long a recorder takes from subscribing to listening [s].
 constexpr double kRecorderStart = 0.3;
 
@@ -38,14 +41,18 @@ Run beginRun(const NodeConfig& config, const Checkpoint& checkpoint) {
   return std::move(*kept);
 }
 
-Simulation paperFromFile(const NodeConfig& config, const std::string& path) {
+Simulation paperFromFile(const NodeConfig& config, const std::string& path, double scale) {
   const std::string extension = std::filesystem::path(path).extension();
   if (extension == ".yaml" || extension == ".yml") {
+    if (scale != 0) {
+      reject("scale is ", scale, ", but ", path, " is a recipe, which states its own scale");
+    }
     const Recipe recipe = loadRecipe(path, config.simulation, config.sheet);
     return makeSimulation(recipe.sheet, recipe.config);
   }
   SheetSource source = config.sheet;
   source.pattern = path;
+  source.scale = scale;
   return makeSimulation(source, config.simulation);
 }
 
@@ -58,6 +65,7 @@ OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
       clock_(makeStepClock(node, config)),
       publishers_(node, config, [this] { return wholePaper(); }),
       waiting_(config.wait_for_recorder && !run_.paused) {
+  run_.session.setListener(this);
   run_.paused = run_.paused || waiting_;
   const Sheet& sheet = run_.session.simulation().sheet();
   ROS_INFO("a sheet of %d vertices and %zu triangles is ready%s", sheet.vertexCount(),
@@ -68,20 +76,26 @@ OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
 }
 
 void OrigamiNode::spin() {
-  while (ros::ok()) {
+  // As roscpp shuts down, Debian 11's is ok() until every service call has returned.
+  while (ros::ok() && !ros::isShuttingDown()) {
     const double wait = std::clamp(untilNextStep(), 0.0, kIdlePeriod);
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(publishDue() ? 0 : wait));
-    publishEdits();
     if (waiting_ && publishers_.recorded()) startRecorded();
-    if (!run_.paused && untilNextStep() <= 0) advance();
+    forgetEnded();
+    if (loading_) continueLoading();
+    if (settling_) continueSettling();
+    else if (stepping_) continueStepping();
+    else if (!run_.paused && untilNextStep() <= 0) advance();
     if (publishDue()) publish();
     keepCheckpoint();
   }
-  run_.session.takeEdits();  // counts them
-  if (!waiting_) checkpoint_.write(run_);
+  keepCheckpoint(true);
+  endLongRequests("the node ends");
 }
 
 double OrigamiNode::untilNextStep() {
+  if (settling_) return kIdlePeriod;  // its end wakes the node
+  if (stepping_) return 0;
   if (run_.paused) return waiting_ ? kWaitPeriod : kIdlePeriod;
   return clock_->wait(run_.session.time(), run_.session.simulation().config().solver.time_step);
 }
@@ -105,65 +119,161 @@ void OrigamiNode::configure(const NodeConfig& config) {
 }
 
 void OrigamiNode::pause() {
+  endLongRequests("ended by ~pause");
+  halt();
+}
+
+void OrigamiNode::halt() {
   run_.paused = true;
   waiting_ = false;
   changed_ = true;
 }
 
 void OrigamiNode::resume() {
+  endStepping("~resume lets time run");
   clock_->hold(run_.session.time());
   run_.paused = false;
   waiting_ = false;
 }
 
-std::uint32_t OrigamiNode::takeSteps(std::uint32_t count) {
-  std::uint32_t taken = 0;
-  // As roscpp shuts down it waits for the request that asks for these steps; Debian 11's is ok()
-  // until then.
-  while (taken < count && !ros::isShuttingDown() && advance()) {
-    ++taken;
-    if (movingDue()) publish();
-    keepCheckpoint();
-  }
-  changed_ = true;
-  return taken;
+std::future<double> OrigamiNode::takeSteps(std::uint32_t count) {
+  requireNothingLong();
+  stepping_.emplace();
+  stepping_->count = count;
+  return stepping_->answer.get_future();
 }
 
-/// One step, and the part of the recipe that is due before it. Returns whether it held; the node
-/// pauses where it did not.
-bool OrigamiNode::advance() {
-  if (!continueRecipe()) return false;
+std::future<EditRecord> OrigamiNode::settle() {
+  requireNothingLong();
+  settling_ = std::make_unique<LongSettle>(run_.session, false);
+  return settling_->answer.get_future();
+}
+
+void OrigamiNode::requireNothingLong() const {
+  requireFewEnding();
+  if (stepping_) {
+    reject("the node takes ", stepping_->count,
+           " steps: wait until they are taken, or end that with ", "~pause");
+  }
+  if (settling_) reject("the paper settles: wait until it has settled, or end that with ~pause");
+}
+
+/// Each has a thread of its own.
+void OrigamiNode::requireFewEnding() const {
+  if (ending_.size() < kMostEnding) return;
+  reject(ending_.size(), " requests that were ended are still at work: wait a little");
+}
+
+void OrigamiNode::continueStepping() {
+  switch (advance()) {
+    case Advance::kSettles: return;
+    case Advance::kFailed: endStepping(step_.failure); return;
+    case Advance::kStepped: break;
+  }
+  if (++stepping_->taken < stepping_->count) return;
+  changed_ = true;
+  stepping_->answer.set_value(run_.session.time());
+  stepping_.reset();
+}
+
+void OrigamiNode::continueSettling() {
+  if (!settling_->done()) return;
+  if (settling_->outdated()) {
+    settling_->startAgain(run_.session);
+    return;
+  }
+  const std::unique_ptr<LongSettle> ended = std::move(settling_);
+  clock_->hold(run_.session.time());  // it may have taken long
+  changed_ = true;
+  try {
+    ended->answer.set_value(ended->finish(run_.session));
+  } catch (const std::exception& error) {
+    ended->answer.set_exception(std::current_exception());
+    if (ended->ofRecipe()) stop(std::string("it cannot settle: ") + error.what());
+  }
+}
+
+void OrigamiNode::forgetEnded() {
+  ending_.erase(
+      std::remove_if(ending_.begin(), ending_.end(), [](const auto& work) { return work->done(); }),
+      ending_.end());
+}
+
+void OrigamiNode::endLongRequests(const std::string& why) {
+  endStepping(why);
+  endSettling(why);
+  endLoading(why);
+}
+
+void OrigamiNode::endStepping(const std::string& why) {
+  if (!stepping_) return;
+  fail(stepping_->answer, stepping_->stopped(why));
+  stepping_.reset();
+  changed_ = true;
+}
+
+/// What a recipe has begun it finishes, paused or not: it takes no time of the paper's.
+void OrigamiNode::endSettling(const std::string& why) {
+  if (!settling_ || settling_->ofRecipe()) return;
+  fail(settling_->answer, why);
+  ending_.push_back(settling_->giveUp());
+  settling_.reset();
+}
+
+void OrigamiNode::endLoading(const std::string& why) {
+  if (!loading_) return;
+  fail(loading_->answer, why);
+  ending_.push_back(loading_->giveUp());
+  loading_.reset();
+}
+
+/// One step, and the part of the recipe that is due before it. The node pauses where it fails.
+OrigamiNode::Advance OrigamiNode::advance() {
+  if (!continueRecipe()) return Advance::kFailed;
+  if (settling_) return Advance::kSettles;
   const double time_step = run_.session.simulation().config().solver.time_step;
   if (carrier_) carrier_(time_step, clock_->stamp(run_.session.time() + time_step));
-  step_ = run_.session.simulation().step();
+  step_ = run_.session.step();
   if (!step_.converged) {
     stop(step_.failure);
-    return false;
+    return Advance::kFailed;
   }
   clock_->announce(run_.session.time());
-  return true;
+  return Advance::kStepped;
 }
 
-void OrigamiNode::keepCheckpoint() {
-  publishEdits();
-  if (!waiting_) checkpoint_.keep(run_);
+void OrigamiNode::keepCheckpoint(bool now) {
+  // A recipe that settles has begun a step whose edit is still to be made.
+  if (waiting_ || (settling_ && settling_->ofRecipe())) return;
+  if (now) checkpoint_.write(run_);
+  else checkpoint_.keep(run_);
+}
+
+/// Makes an edit of the recipe. Those that take long are begun.
+bool OrigamiNode::applyOfRecipe(const Edit& edit) {
+  if (!std::holds_alternative<SettleEdit>(edit)) {
+    apply(edit);
+    return true;
+  }
+  endSettling("a recipe settles the paper");
+  settling_ = std::make_unique<LongSettle>(run_.session, true);
+  return false;
 }
 
 bool OrigamiNode::continueRecipe() {
   if (!run_.recipe) return true;
-  bool held = true;
   try {
-    if (!run_.recipe->update(run_.session.simulation())) {
+    const auto make = [this](const Edit& edit) { return applyOfRecipe(edit); };
+    if (!run_.recipe->update(run_.session.simulation(), make)) {
       endRecipe();
       // Nobody wants a finished paper to lie there as fast as the machine can.
-      if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) pause();
+      if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) halt();
     }
   } catch (const std::exception& error) {
     stop(error.what());
-    held = false;
+    return false;
   }
-  publishEdits();
-  return held;
+  return true;
 }
 
 /// None is under way any more by the time the listener hears of it.
@@ -171,12 +281,16 @@ void OrigamiNode::endRecipe(const std::string& why) {
   if (!run_.recipe) return;
   RecipeRun ended = std::move(*run_.recipe);
   run_.recipe.reset();
+  if (settling_ && settling_->ofRecipe()) {
+    ending_.push_back(settling_->giveUp());
+    settling_.reset();
+  }
   ended.end(why);
 }
 
 void OrigamiNode::cancelRecipe(const std::string& why) {
   if (!run_.recipe) return;
-  run_.session.simulation().stopFolds();
+  if (run_.session.simulation().folding()) apply(StopEdit{});
   endRecipe(why);
 }
 
@@ -191,61 +305,84 @@ void OrigamiNode::stop(const std::string& reason) {
   step_.converged = false;
   step_.failure = asMessageText(reason);
   ROS_ERROR("paused at %.3f s: %s", run_.session.time(), step_.failure.c_str());
-  pause();
+  halt();
   endRecipe(step_.failure);
 }
 
-void OrigamiNode::load(const std::string& path) {
-  replacePaper(paperFromFile(config_, path), path);
+std::future<msg::Load::Response> OrigamiNode::load(const std::string& path, double scale) {
+  requireFewEnding();
+  if (loading_) {
+    reject(loading_->path(), " is being read: wait until it is loaded, or end that with ~pause");
+  }
+  loading_ = std::make_unique<LongLoad>(
+      path, [config = config_, path, scale] { return paperFromFile(config, path, scale); });
+  return loading_->answer.get_future();
+}
+
+void OrigamiNode::continueLoading() {
+  if (!loading_->done()) return;
+  const std::unique_ptr<LongLoad> ended = std::move(loading_);
+  try {
+    replacePaper(ended->finish(), ended->path());
+    const Sheet& sheet = run_.session.simulation().sheet();
+    msg::Load::Response answer;
+    answer.vertices = static_cast<std::uint32_t>(sheet.vertexCount());
+    answer.triangles = static_cast<std::uint32_t>(sheet.triangles().size());
+    for (const Crease& crease : sheet.creases()) answer.creases.push_back(crease.name);
+    answer.revision = run_.session.revision();
+    answer.edit = run_.session.edits();
+    ended->answer.set_value(std::move(answer));
+  } catch (const std::exception&) {
+    ended->answer.set_exception(std::current_exception());
+  }
 }
 
 void OrigamiNode::replacePaper(Simulation simulation, const std::string& path) {
-  publishEdits();
   endRecipe("another paper takes the place of this one");
-  run_.session.replace(std::move(simulation));
-  clock_->hold(run_.session.time());  // it may have taken long
-  step_ = {};
-  replaced(msg::Edit::LOAD, path);
+  endLongRequests("another paper takes the place of this one");
+  run_.session.replace(std::move(simulation), path);
 }
 
 void OrigamiNode::reset() {
-  publishEdits();
   endRecipe("the paper is reset");
+  endLongRequests("the paper is reset");
   run_.session.reset();
-  step_ = {};
-  replaced(msg::Edit::RESET);
 }
 
-/// Tells everyone of another paper.
-void OrigamiNode::replaced(const std::string& kind, const std::string& path) {
-  publishers_.publishEdit(paperMessage(run_.session, kind, path), stamp());
+void OrigamiNode::onEdit(const EditRecord& record) {
+  if (settling_) settling_->outdate();
+  publishers_.publishEdit(editMessage(record), stamp());
+  changed_ = true;
+}
+
+void OrigamiNode::onLoad(const std::string& path) {
+  clock_->hold(run_.session.time());  // it may have taken long
+  step_ = {};
+  publishers_.publishEdit(paperMessage(run_.session, msg::Edit::LOAD, path), stamp());
+  changed_ = true;
+}
+
+void OrigamiNode::onReset() {
+  step_ = {};
+  publishers_.publishEdit(paperMessage(run_.session, msg::Edit::RESET), stamp());
   changed_ = true;
 }
 
 msg::Edit OrigamiNode::wholePaper() {
-  publishEdits();
   msg::Edit edit = paperMessage(run_.session, msg::Edit::PAPER);
   edit.header.stamp = stamp();
   edit.header.frame_id = config_.world_frame;
   return edit;
 }
 
-/// Tells everyone of the edits that the paper took, be they of a request or of the recipe.
-void OrigamiNode::publishEdits() {
-  for (const EditRecord& edit : run_.session.takeEdits()) {
-    publishers_.publishEdit(editMessage(edit), stamp());
-    changed_ = true;
-  }
-}
-
 ros::Time OrigamiNode::stamp() {
-  if (run_.paused) clock_->hold(run_.session.time());
+  if (standing()) clock_->hold(run_.session.time());
   return clock_->stamp(run_.session.time());
 }
 
 /// A paused paper is due after a change, and now and then for whoever came late.
 bool OrigamiNode::publishDue() {
-  if (!run_.paused) return movingDue();
+  if (!standing() || stepping_) return movingDue();
   if (stamp().isZero()) return false;
   return changed_ || (ros::SteadyTime::now() - last_publish_).toSec() >= kIdlePeriod;
 }
@@ -261,12 +398,11 @@ bool OrigamiNode::movingDue() {
 }
 
 void OrigamiNode::publish() {
-  publishEdits();
   const ros::SteadyTime wall = ros::SteadyTime::now();
   const ros::Time stamp = this->stamp();
   real_time_factor_.sample(wall.toSec(), run_.session.time());
-  if (run_.paused) clock_->announce(run_.session.time());
-  publishers_.publish(run_.session, step_, real_time_factor_.value(), stamp);
+  if (standing()) clock_->announce(run_.session.time());
+  publishers_.publish(run_.session, run_.paused, step_, real_time_factor_.value(), stamp);
 
   const ros::Duration period(1 / config_.publish_rate);
   next_publish_ += period;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <shell_origami/node/checkpoint.h>
+#include <shell_origami/node/long_requests.h>
 #include <shell_origami/node/parameters.h>
 #include <shell_origami/node/publishers.h>
 #include <shell_origami/node/recipe_run.h>
@@ -15,11 +16,14 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace shell_origami {
 
-/// Everything happens in one thread, requests between steps: each is answered within one step.
-class OrigamiNode {
+/// The paper and all requests are handled in one thread, between time steps. Requests that take
+/// longer are done a step at a time, or in the background, so that others are answered within one
+/// step; at most one request to step or settle, and one to load, is under way.
+class OrigamiNode : private SessionListener {
  public:
   /// \throws std::exception with one sentence when there is no such recipe or sheet.
   OrigamiNode(ros::NodeHandle& node, const NodeConfig& config);
@@ -28,17 +32,24 @@ class OrigamiNode {
   void spin();
 
   const NodeConfig& config() const { return config_; }
-  Session& session() { return run_.session; }
+  const Session& session() const { return run_.session; }
+  /// Session::apply(), published on ~edits.
+  EditRecord apply(const Edit& edit) { return run_.session.apply(edit); }
   /// Takes over what may change while the node runs: publish_rate, vertex_ids, real_time_factor.
   void configure(const NodeConfig& config);
   /// Of the paper as it is now. Zero: there is no ROS time yet.
   ros::Time stamp();
 
   bool paused() const { return run_.paused; }
+  /// Ends long requests as well.
   void pause();
   void resume();
-  /// Takes so many steps, whether paused or not. Returns how many held.
-  std::uint32_t takeSteps(std::uint32_t count);
+  /// Takes so many steps. Their end, or why they were stopped, comes by the future.
+  /// \throws std::invalid_argument when another long request is under way
+  std::future<double> takeSteps(std::uint32_t count);
+  /// Moves the paper to equilibrium. Time stands still until it is there; an edit meanwhile makes
+  /// it start over. \throws std::invalid_argument when another long request is under way
+  std::future<EditRecord> settle();
   const StepReport& lastStep() const { return step_; }
   /// Simulated over elapsed time, over the last second.
   double realTimeFactor() const { return real_time_factor_.value(); }
@@ -49,9 +60,11 @@ class OrigamiNode {
   using Carrier = std::function<void(double time_step, const ros::Time& end)>;
   void setCarrier(Carrier carrier) { carrier_ = std::move(carrier); }
 
-  /// Puts the paper of a FOLD file or a recipe in the place of this one, and abandons the recipe
-  /// that runs. \throws std::exception and then has changed nothing.
-  void load(const std::string& path);
+  /// Reads the paper of a FOLD file or a recipe, then puts it in the place of this one, and
+  /// abandons the recipe that runs.
+  /// \param scale  metres per unit of a FOLD file; 0: the unit that the file states
+  /// \throws std::invalid_argument when another is being read
+  std::future<msg::Load::Response> load(const std::string& path, double scale);
   /// The paper as it was loaded. Abandons the recipe that runs.
   void reset();
 
@@ -68,11 +81,27 @@ class OrigamiNode {
 
  private:
   void replacePaper(Simulation simulation, const std::string& path);
-  void replaced(const std::string& kind, const std::string& path = "");
+  void onEdit(const EditRecord& record) override;
+  void onLoad(const std::string& path) override;
+  void onReset() override;
   msg::Edit wholePaper();
-  void publishEdits();
-  void keepCheckpoint();
-  bool advance();
+  void keepCheckpoint(bool now = false);
+  bool applyOfRecipe(const Edit& edit);
+  enum class Advance { kStepped, kSettles, kFailed };
+  Advance advance();
+  void halt();
+  /// Whether time stands still.
+  bool standing() const { return run_.paused || settling_; }
+  void requireNothingLong() const;
+  void continueStepping();
+  void continueSettling();
+  void continueLoading();
+  void requireFewEnding() const;
+  void forgetEnded();
+  void endLongRequests(const std::string& why);
+  void endStepping(const std::string& why);
+  void endSettling(const std::string& why);
+  void endLoading(const std::string& why);
   bool continueRecipe();
   void endRecipe(const std::string& why = "");
   void startRecorded();
@@ -89,8 +118,12 @@ class OrigamiNode {
   Publishers publishers_;
   Carrier carrier_;
   RealTimeFactor real_time_factor_;
-  StepReport step_;      ///< the last one
-  bool waiting_;         ///< paused only until someone records
+  std::optional<LongStep> stepping_;
+  std::unique_ptr<LongSettle> settling_;
+  std::unique_ptr<LongLoad> loading_;
+  std::vector<std::unique_ptr<Background>> ending_;  ///< given up, but still at work
+  StepReport step_;                                  ///< the last one
+  bool waiting_;                                     ///< paused only until someone records
   bool changed_ = true;  ///< by a request, since the last time the paper was published
   ros::Time next_publish_;
   ros::SteadyTime last_publish_;

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <set>
+#include <string>
 
 namespace shell_origami {
 
@@ -36,12 +39,12 @@ bool Publishers::recorded() const {
          edit_.getNumSubscribers() > 0;
 }
 
-void Publishers::publish(const Session& session, const StepReport& step, double real_time_factor,
-                         const ros::Time& stamp) {
+void Publishers::publish(const Session& session, bool paused, const StepReport& step,
+                         double real_time_factor, const ros::Time& stamp) {
   if (revision_ != session.revision()) publishSheet(session, stamp);
   const bool draw = markers_.getNumSubscribers() > 0;
   if (draw || state_.getNumSubscribers() > 0) {
-    const msg::SheetState state = stateMessage(session, header(stamp));
+    const msg::SheetState state = stateMessage(session, paused, header(stamp));
     state_.publish(state);
     if (draw) markers_.publish(painter_.draw(state));
   }
@@ -82,9 +85,13 @@ std::string topicFor(std::string frame) {
 
 void Publishers::publishWrenches(const Session& session, const ros::Time& stamp) {
   const HeldVertices& held = session.simulation().held();
-  if (held.all().empty()) return;
-  for (const auto& [frame, grip] : held.grips()) advertiseWrench(frame);
-  if (held.grips().empty() || !held.inPlace().empty()) advertiseWrench(world_frame_);
+  std::set<std::string> holding;
+  for (const auto& [frame, grip] : held.grips()) holding.insert(frame);
+  if (!held.inPlace().empty()) holding.insert(world_frame_);
+  for (auto wrench = wrenches_.begin(); wrench != wrenches_.end();) {
+    wrench = holding.count(wrench->first) ? std::next(wrench) : wrenches_.erase(wrench);
+  }
+  for (const std::string& frame : holding) advertiseWrench(frame);
   const bool heard = std::any_of(wrenches_.begin(), wrenches_.end(), [](const auto& entry) {
     return entry.second.getNumSubscribers() > 0;
   });

@@ -24,7 +24,7 @@ class Publishers {
              std::function<msg::Edit()> whole_paper);
 
   /// The paper as it is now, and its sheet when the revision is a new one.
-  void publish(const Session& session, const StepReport& step, double real_time_factor,
+  void publish(const Session& session, bool paused, const StepReport& step, double real_time_factor,
                const ros::Time& stamp);
 
   void publishEdit(msg::Edit edit, const ros::Time& stamp);
@@ -53,7 +53,7 @@ class Publishers {
   ros::Publisher markers_;
   ros::Publisher edit_;
   ros::NodeHandle node_;
-  std::map<std::string, ros::Publisher> wrenches_;  ///< by the names of frames that held paper
+  std::map<std::string, ros::Publisher> wrenches_;  ///< by the names of frames that hold paper
   tf2_ros::TransformBroadcaster broadcaster_;
 };
 

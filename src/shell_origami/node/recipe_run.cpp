@@ -27,12 +27,12 @@ nlohmann::json RecipeRun::checkpoint() const {
           {"output", output_},       {"start", start_time_}};
 }
 
-bool RecipeRun::update(Simulation& simulation) {
+bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& apply) {
   if (start_.isZero()) {
     start_ = ros::SteadyTime::now();
     start_time_ = simulation.time();
   }
-  if (!runner_.update(simulation)) {
+  if (!runner_.update(simulation, apply)) {
     finish(simulation);
     return false;
   }

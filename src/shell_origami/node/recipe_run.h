@@ -27,7 +27,7 @@ class RecipeRun {
 
   /// Does what is due before the next step. Returns false once the recipe is over.
   /// \throws std::exception when the paper refuses an edit or the results cannot be written.
-  bool update(Simulation& simulation);
+  bool update(const Simulation& simulation, const RecipeRunner::Apply& apply);
 
   /// Tells the listener of the end, and the log of an early one.
   void end(const std::string& why);

@@ -6,16 +6,27 @@
 #include <shell_origami/node/tf_utilities.h>
 #include <shell_origami/origami/report.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace shell_origami {
 namespace {
 
-/// The node answers no other request while it takes steps for one.
 constexpr std::uint32_t kMostSteps = 100000;
+/// So many requests may wait at the same time.
+constexpr std::uint32_t kWaitingThreads = 16;
+/// How long a request waits for a frame that TF does not know yet [s], and how often it looks.
+constexpr double kFrameWait = 0.5, kFrameLook = 0.01;
+/// How often a waiting request looks whether the node ends.
+constexpr std::chrono::milliseconds kEndLook{20};
 
-/// Answers with the sentence that the action returns, or with why it refuses.
+/// Answers with the message that the action returns, or with that of its error.
 template <class Response, class Action>
 bool answer(const char* service, Response& response, Action action) {
   try {
@@ -36,125 +47,180 @@ std::string count(std::size_t number, const std::string& one, const std::string&
 
 std::string vertexCount(std::size_t number) { return count(number, "vertex", "vertices"); }
 
-void requirePath(const std::string& path) {
+/// Where a crease rests that is folded to this angle [rad].
+std::string restAngle(double angle) {
+  const double rest = std::clamp(angle, -kLargestRestAngle, kLargestRestAngle);
+  const std::string text = std::to_string(rest) + " rad";
+  return rest == angle ? text : text + ", the most that a crease rests at";
+}
+
+/// The path of a file on the node's machine. A relative one is relative to the node's working
+/// directory, which messages then show.
+std::string filePath(const std::string& path) {
   if (path.empty()) reject("path is empty");
+  return std::filesystem::absolute(path).string();
 }
 
 }  // namespace
 
+template <class Result>
+Result Services::wait(std::future<Result> result) const {
+  while (result.wait_for(kEndLook) != std::future_status::ready) {
+    if (ending_ || ros::isShuttingDown()) throw std::runtime_error("the node ends");
+  }
+  return result.get();
+}
+
+template <class Function>
+auto Services::inNodeThread(Function function) {
+  const auto task = std::make_shared<std::packaged_task<decltype(function())()>>(function);
+  auto result = task->get_future();
+  callInNodeThread([task] { (*task)(); });
+  return wait(std::move(result));
+}
+
 Services::Services(ros::NodeHandle& node, OrigamiNode& origami, HeldFrames& held_frames,
                    const tf2_ros::Buffer& tf)
-    : origami_(origami), held_frames_(held_frames), tf_(tf) {
+    : origami_(origami), held_frames_(held_frames), tf_(tf), spinner_(kWaitingThreads, &queue_) {
+  ros::NodeHandle waiting(node);
+  waiting.setCallbackQueue(&queue_);
   servers_ = {
       node.advertiseService("fold", &Services::fold, this),
-      node.advertiseService("pin", &Services::pin, this),
+      waiting.advertiseService("pin", &Services::pin, this),
       node.advertiseService("unpin", &Services::unpin, this),
       node.advertiseService("add_vertex", &Services::addVertex, this),
-      node.advertiseService("load", &Services::load, this),
+      waiting.advertiseService("load", &Services::load, this),
       node.advertiseService("save", &Services::save, this),
-      node.advertiseService("step", &Services::step, this),
-      node.advertiseService("settle", &Services::settle, this),
+      waiting.advertiseService("step", &Services::step, this),
+      waiting.advertiseService("settle", &Services::settle, this),
       node.advertiseService("pause", &Services::pause, this),
       node.advertiseService("resume", &Services::resume, this),
       node.advertiseService("reset", &Services::reset, this),
   };
+  spinner_.start();
+}
+
+Services::~Services() {
+  ending_ = true;
+  spinner_.stop();
+}
+
+std::string Services::whilePaused() const {
+  return origami_.paused() ? "; the node is paused: call ~resume to let it move" : "";
+}
+
+/// A frame that was first heard of a moment ago may be on its way.
+void Services::waitForFrame(const std::string& frame) const {
+  if (frame.empty() || frame[0] == '/') return;
+  const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(kFrameWait);
+  while (!tf_.canTransform(origami_.config().world_frame, frame, ros::Time()) &&
+         ros::SteadyTime::now() < end && !ending_) {
+    ros::WallDuration(kFrameLook).sleep();
+  }
 }
 
 bool Services::fold(msg::Fold::Request& request, msg::Fold::Response& response) {
   return answer("fold", response, [&] {
-    Simulation& simulation = origami_.session().simulation();
-    const FoldResult result = simulation.fold(foldRequest(request));
-    response.crease_ids = result.crease_ids;
-    response.vertices = vertexIds(result.vertices);
-    response.revision = origami_.session().revision();
-    const std::string parts = result.parts == 1 ? ""
-                                                : ", the " + std::to_string(result.parts) +
-                                                      " parts of the line that lie on the paper,";
-    return "folding " + count(result.crease_ids.size(), "crease", "creases") + " of " +
-           vertexCount(result.vertices.size()) + parts + " to " + std::to_string(request.angle) +
-           " rad";
+    const EditRecord fold = origami_.apply(foldEdit(request));
+    response.crease_ids = fold.crease_ids;
+    response.vertices = vertexIds(fold.vertices);
+    response.revision = fold.revision;
+    response.edit = fold.number;
+    const std::string parts = fold.parts == 1 ? ""
+                                              : ", the " + std::to_string(fold.parts) +
+                                                    " parts of the line that lie on the paper,";
+    return "folding " + count(fold.crease_ids.size(), "crease", "creases") + " of " +
+           vertexCount(fold.vertices.size()) + parts + " to " + restAngle(request.angle) +
+           whilePaused();
   });
 }
 
 bool Services::pin(msg::Pin::Request& request, msg::Pin::Response& response) {
   return answer("pin", response, [&] {
-    PinWhere where = pinWhere(request);
-    if (auto* ball = std::get_if<Ball>(&where)) {
-      ball->center = toWorld("center", ball->center, request.center.header,
-                             origami_.config().world_frame, tf_);
+    const std::string& world = origami_.config().world_frame;
+    const bool carried = !request.frame_id.empty() && request.frame_id != world;
+    if (carried) {
+      held_frames_.requireForeign(request.frame_id);
+      waitForFrame(request.frame_id);
     }
-    const bool carried =
-        !request.frame_id.empty() && request.frame_id != origami_.config().world_frame;
-    const std::vector<int> vertices = carried ? held_frames_.pin(where, request.frame_id)
-                                              : origami_.session().simulation().pin(where);
-    response.vertices = vertexIds(vertices);
-    return "holding " + vertexCount(vertices.size()) +
+    PinWhere where = pinWhere(request);
+    if (std::holds_alternative<Ball>(where)) waitForFrame(request.center.header.frame_id);
+    const EditRecord pin = inNodeThread([this, carried, where, header = request.center.header,
+                                         frame = request.frame_id, world]() mutable {
+      if (auto* ball = std::get_if<Ball>(&where)) {
+        ball->center = toWorld("center", ball->center, header, world, tf_);
+      }
+      return carried ? held_frames_.pin(where, frame) : origami_.apply(PinEdit{where});
+    });
+    response.vertices = vertexIds(pin.vertices);
+    response.edit = pin.number;
+    return "holding " + vertexCount(pin.vertices.size()) +
            (carried ? " by frame " + request.frame_id : "");
   });
 }
 
 bool Services::unpin(msg::Unpin::Request& request, msg::Unpin::Response& response) {
   return answer("unpin", response, [&] {
-    const std::vector<int> vertices =
-        origami_.session().simulation().unpin(vertexIds(request.vertices));
-    response.vertices = vertexIds(vertices);
-    return "let go of " + vertexCount(vertices.size());
+    UnpinEdit edit;
+    if (!request.vertices.empty()) edit.where = vertexIds(request.vertices);
+    const EditRecord unpin = origami_.apply(edit);
+    response.vertices = vertexIds(unpin.vertices);
+    response.edit = unpin.number;
+    return "let go of " + vertexCount(unpin.vertices.size());
   });
 }
 
 bool Services::addVertex(msg::AddVertex::Request& request, msg::AddVertex::Response& response) {
   return answer("add_vertex", response, [&] {
-    const int vertex = origami_.session().simulation().addVertex(request.edge[0], request.edge[1],
-                                                                 request.fraction);
-    response.vertex = static_cast<std::uint32_t>(vertex);
-    response.revision = origami_.session().revision();
-    return "added vertex " + std::to_string(vertex);
+    const EditRecord added =
+        origami_.apply(AddVertexEdit{{request.edge[0], request.edge[1]}, request.fraction});
+    response.vertex = static_cast<std::uint32_t>(added.vertices.front());
+    response.revision = added.revision;
+    response.edit = added.number;
+    return "added vertex " + std::to_string(response.vertex);
   });
 }
 
 bool Services::load(msg::Load::Request& request, msg::Load::Response& response) {
   return answer("load", response, [&] {
-    requirePath(request.path);
-    origami_.load(request.path);
-    const Sheet& sheet = origami_.session().simulation().sheet();
-    response.vertices = static_cast<std::uint32_t>(sheet.vertexCount());
-    response.triangles = static_cast<std::uint32_t>(sheet.triangles().size());
-    for (const Crease& crease : sheet.creases()) response.creases.push_back(crease.name);
-    response.revision = origami_.session().revision();
-    return "loaded " + request.path + ": " + vertexCount(response.vertices) + ", " +
+    const std::string path = filePath(request.path);
+    if (!(request.scale >= 0 && std::isfinite(request.scale))) {
+      reject("scale is ", request.scale, ", but must be positive, or 0 for the file's own unit");
+    }
+    response = wait(
+        inNodeThread([this, path, scale = request.scale] { return origami_.load(path, scale); }));
+    return "loaded " + path + ": " + vertexCount(response.vertices) + ", " +
            count(response.creases.size(), "crease", "creases");
   });
 }
 
 bool Services::save(msg::Save::Request& request, msg::Save::Response& response) {
   return answer("save", response, [&] {
-    requirePath(request.path);
-    savePaper(origami_.session().simulation(), request.path);
-    return "wrote " + std::filesystem::absolute(request.path).string();
+    const std::string path = filePath(request.path);
+    savePaper(origami_.session().simulation(), path);
+    return "wrote " + path;
   });
 }
 
 bool Services::step(msg::Step::Request& request, msg::Step::Response& response) {
   return answer("step", response, [&] {
-    if (!origami_.paused()) reject("step needs the node to be paused");
-    if (request.steps == 0 || request.steps > kMostSteps) {
-      reject("steps is ", request.steps, ", but must be from 1 to ", kMostSteps);
-    }
-    const std::uint32_t taken = origami_.takeSteps(request.steps);
-    if (taken < request.steps) {
-      reject("stopped after ", count(taken, "step", "steps"), ": ", origami_.lastStep().failure);
-    }
-    response.time = origami_.session().time();
-    return "took " + count(taken, "step", "steps");
+    const std::uint32_t steps = request.steps;
+    response.time = wait(inNodeThread([this, steps] {
+      if (!origami_.paused()) reject("step needs the node to be paused");
+      if (steps == 0 || steps > kMostSteps) {
+        reject("steps is ", steps, ", but must be from 1 to ", kMostSteps);
+      }
+      return origami_.takeSteps(steps);
+    }));
+    return "took " + count(steps, "step", "steps");
   });
 }
 
 bool Services::settle(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   return answer("settle", response, [&] {
-    const StepReport report = origami_.session().simulation().settle();
-    if (!report.converged) reject(report.failure);
+    const EditRecord settled = wait(inNodeThread([this] { return origami_.settle(); }));
     return "the paper is at rest, after " +
-           count(report.newton_iterations, "iteration", "iterations");
+           count(settled.report.newton_iterations, "iteration", "iterations");
   });
 }
 
@@ -175,7 +241,7 @@ bool Services::resume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& 
 bool Services::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   return answer("reset", response, [&] {
     origami_.reset();
-    return std::string("the paper is as it was loaded");
+    return "the paper is as it was loaded" + whilePaused();
   });
 }
 

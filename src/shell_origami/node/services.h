@@ -1,22 +1,35 @@
 /// \file
-/// The node's services. A refused request changes nothing and says why in one sentence.
+/// The node's services. A rejected request changes nothing and says why.
 #pragma once
 
 #include <shell_origami/node/held_frames.h>
 #include <shell_origami/node/origami_node.h>
 
+#include <ros/callback_queue.h>
+#include <ros/spinner.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/buffer.h>
 
+#include <atomic>
+#include <functional>
+#include <future>
+#include <string>
 #include <vector>
 
 namespace shell_origami {
 
+/// Most are answered in the node's own thread. Those that may wait, of which the answer is the end
+/// (step, settle, load) or which wait for a frame (pin), are called in threads of their own and
+/// reach the paper through the node's.
 class Services {
  public:
   /// \param tf  what is heard on /tf; must live as long
   Services(ros::NodeHandle& node, OrigamiNode& origami, HeldFrames& held_frames,
            const tf2_ros::Buffer& tf);
+  Services(const Services&) = delete;
+  Services& operator=(const Services&) = delete;
+  /// Requests under way fail.
+  ~Services();
 
  private:
   bool fold(msg::Fold::Request& request, msg::Fold::Response& response);
@@ -31,9 +44,26 @@ class Services {
   bool resume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
 
+  // Called in the threads of requests that may wait.
+
+  /// Calls a function in the node's thread and returns its result, or throws what it throws. It
+  /// may outlive this call where the node ends, and must own what it uses.
+  template <class Function>
+  auto inNodeThread(Function function);
+  /// What a request gets in the end. \throws std::runtime_error when the node ends before
+  template <class Result>
+  Result wait(std::future<Result> result) const;
+  void waitForFrame(const std::string& frame) const;
+
+  /// What a successful answer says of paper that does not move.
+  std::string whilePaused() const;
+
   OrigamiNode& origami_;
   HeldFrames& held_frames_;
   const tf2_ros::Buffer& tf_;
+  std::atomic<bool> ending_{false};
+  ros::CallbackQueue queue_;  ///< of requests that may wait
+  ros::AsyncSpinner spinner_;
   std::vector<ros::ServiceServer> servers_;
 };
 

@@ -30,32 +30,39 @@ nlohmann::json Session::checkpoint() const {
   return json;
 }
 
-void Session::replace(Simulation simulation) {
+EditRecord Session::apply(const Edit& edit) { return record(simulation_.apply(edit)); }
+
+EditRecord Session::accept(Simulation edited, EditRecord made) {
+  simulation_ = std::move(edited);
+  return record(std::move(made));
+}
+
+EditRecord Session::record(EditRecord record) {
+  record.number = ++edits_;
+  record.step += counters_before_.steps;
+  record.time += time_before_;
+  record.revision += revision_before_;
+  if (listener_) listener_->onEdit(record);
+  return record;
+}
+
+void Session::replace(Simulation simulation, const std::string& path) {
   follow(std::move(simulation));
   original_ = simulation_.snapshot();
+  if (listener_) listener_->onLoad(path);
 }
 
 void Session::reset() {
   Snapshot original = original_;
   original.config = simulation_.config();
   follow(Simulation(original));
+  if (listener_) listener_->onReset();
 }
 
 Counters Session::counters() const {
   Counters sum = counters_before_;
   sum += simulation_.counters();
   return sum;
-}
-
-std::vector<EditRecord> Session::takeEdits() {
-  std::vector<EditRecord> edits = simulation_.takeEdits();
-  for (EditRecord& edit : edits) {
-    edit.number = ++edits_;
-    edit.step += counters_before_.steps;
-    edit.time += time_before_;
-    edit.revision += revision_before_;
-  }
-  return edits;
 }
 
 void Session::follow(Simulation simulation) {

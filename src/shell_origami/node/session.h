@@ -5,12 +5,22 @@
 #include <shell_origami/origami/simulation.h>
 
 #include <cstdint>
-#include <vector>
+#include <string>
 
 namespace shell_origami {
 
+/// Hears of every change of the paper other than time, once, in order.
+class SessionListener {
+ public:
+  virtual ~SessionListener() = default;
+  virtual void onEdit(const EditRecord& record) = 0;
+  /// Another paper took the place of this one: that of a file, or the loaded one as it was.
+  virtual void onLoad(const std::string& path) = 0;
+  virtual void onReset() = 0;
+};
+
 /// One paper at a time. Time, counters, edits and revision keep growing when another takes its
-/// place.
+/// place. Nothing else changes a node's paper.
 class Session {
  public:
   explicit Session(Simulation simulation);
@@ -22,26 +32,35 @@ class Session {
   nlohmann::json toJson() const;
   nlohmann::json checkpoint() const;
 
+  /// \param listener  must live as long; null: nobody hears
+  void setListener(SessionListener* listener) { listener_ = listener; }
+
+  /// Makes an edit (Simulation::apply). Its record has the number, time, steps and revision of the
+  /// session.
+  EditRecord apply(const Edit& edit);
+  /// The same of an edit that was made on a copy of the simulation.
+  /// \pre nothing has changed since the copy was made
+  EditRecord accept(Simulation edited, EditRecord record);
+  /// Simulation::step().
+  StepReport step() { return simulation_.step(); }
   /// Puts another paper in the place of this one.
-  void replace(Simulation simulation);
+  /// \param path  of the file it is from; empty: it is from none
+  void replace(Simulation simulation, const std::string& path);
   /// Makes the paper again as it was when it was loaded.
   void reset();
 
-  /// The edits taken since the last call, oldest first, by this paper's time, steps and revision.
-  std::vector<EditRecord> takeEdits();
-
-  Simulation& simulation() { return simulation_; }
   const Simulation& simulation() const { return simulation_; }
 
   double time() const { return time_before_ + simulation_.time(); }  ///< [s]
   Counters counters() const;                                         ///< over every paper so far
   std::uint64_t steps() const { return counters().steps; }
-  /// Those that takeEdits() gave, and papers that were replaced or reset.
+  /// Number of the last edit. Papers that were replaced or reset count as one, too.
   std::uint64_t edits() const { return edits_; }
   std::uint32_t revision() const { return revision_before_ + simulation_.sheet().revision(); }
 
  private:
   void follow(Simulation simulation);
+  EditRecord record(EditRecord record);
 
   Simulation simulation_;
   Snapshot original_;
@@ -49,6 +68,7 @@ class Session {
   std::uint64_t edits_ = 0;
   Counters counters_before_;
   std::uint32_t revision_before_ = 0;
+  SessionListener* listener_ = nullptr;
 };
 
 }  // namespace shell_origami

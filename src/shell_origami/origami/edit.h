@@ -1,8 +1,10 @@
 /// \file
-/// What a person asks of the paper, and the record of what it took.
+/// The edits: everything that changes paper, other than time.
 #pragma once
 
 #include <shell_origami/base/geometry.h>
+#include <shell_origami/dynamics/integrator.h>
+#include <shell_origami/origami/config.h>
 #include <shell_origami/origami/held_vertices.h>
 #include <shell_origami/origami/pins.h>
 
@@ -25,37 +27,69 @@ struct VertexPair {
   std::array<std::int64_t, 2> vertices;
 };
 
-struct FoldRequest {
+/// Starts a fold. Folds that start at the same time and take equally long run together (FoldRamp).
+struct FoldEdit {
   std::variant<CreaseName, VertexPair, Segment> where;
   double angle = 0;                 ///< [rad], inside (-pi, pi), valley > 0
   std::optional<double> duration;   ///< [s]; none: SimulationConfig::fold_duration
   std::optional<double> stiffness;  ///< [N*m/rad per m]; none: Material::crease_stiffness
-  std::string name;                 ///< of the new crease; empty: one is made up
+  std::string name;                 ///< of the new crease; empty: generated
 };
 
-struct FoldResult {
-  std::vector<std::uint32_t> crease_ids;
-  std::vector<int> vertices;  ///< the polyline in order; of a group, one crease after the other
-  int parts = 1;              ///< of a line, that lie on the paper; more where it has holes
+/// Holds vertices: where they are, or by a frame, which CarryEdit moves.
+struct PinEdit {
+  PinWhere where;
+  std::string frame = {};  ///< empty: they are held where they are
+  Pose pose = {};          ///< of the frame, in the world
 };
 
-/// An edit the paper took. Fields that a kind does not use are empty.
+/// Lets go of held vertices.
+struct UnpinEdit {
+  std::optional<PinWhere> where = {};  ///< none: all that are held
+};
+
+/// Adds a vertex on an edge.
+struct AddVertexEdit {
+  std::array<std::int64_t, 2> edge;
+  double fraction = 0;  ///< of the edge's flat length, from its first vertex, in (0, 1)
+};
+
+/// Moves the vertices that a frame holds along with it, within the next step that converges.
+struct CarryEdit {
+  std::string frame;
+  Pose pose;  ///< at the end of that step
+};
+
+/// Moves the paper to static equilibrium, at once, with every rest angle where its ramp is now.
+struct SettleEdit {};
+
+/// Stops every fold under way: its crease keeps the rest angle that its ramp has reached.
+struct StopEdit {};
+
+/// Changes parameters that may change while the paper moves.
+struct ConfigureEdit {
+  LiveConfig live;
+};
+
+using Edit = std::variant<FoldEdit, PinEdit, UnpinEdit, AddVertexEdit, CarryEdit, SettleEdit,
+                          StopEdit, ConfigureEdit>;
+
+/// An edit that was made, and what it did.
 struct EditRecord {
-  enum Kind { kFold, kPin, kUnpin, kAddVertex, kSettle, kCarry, kStop, kConfigure } kind = kFold;
-  std::uint64_t number = 0;    ///< of this edit, from 1 on, once someone counts them
+  /// The edit with every default filled in and every vertex by its number: applied to the same
+  /// paper it does the same, to the bit.
+  Edit edit;
+  std::uint64_t number = 0;    ///< in its session, from 1 on; 0 outside of one
   std::uint64_t step = 0;      ///< steps completed before it
   double time = 0;             ///< [s]
   std::uint32_t revision = 0;  ///< of the sheet after it
-  std::string crease;          ///< fold: the crease or group that was named
-  std::string name;            ///< fold: asked for the new crease
-  std::vector<Vector2> line;   ///< fold: the two ends on the flat sheet [m]
-  std::vector<int> vertices;   ///< fold: the polyline; pin, unpin: the vertices;
-                               ///< add_vertex: the edge and the new vertex
-  double angle = 0, duration = 0, stiffness = 0, fraction = 0;
-  std::string frame;  ///< pin: the frame that carries the vertices; carry: the one that moves
-  Pose pose;          ///< pin, carry: of the frame
-  Vector3 gravity = Vector3::Zero();  ///< configure, with air_damping and duration
-  double air_damping = 0;
+
+  std::vector<std::uint32_t> crease_ids;  ///< fold: of every crease that folds
+  /// Fold: the polyline in order, of a group one crease after the other; pin, unpin: the vertices,
+  /// ascending; add_vertex: the new one.
+  std::vector<int> vertices;
+  int parts = 1;      ///< fold: of the line, that lie on the paper; more where it has holes
+  StepReport report;  ///< settle: the solver's work
 };
 
 }  // namespace shell_origami

@@ -56,7 +56,7 @@ void HeldVertices::holdInPlace(const std::vector<int>& vertices) {
 void HeldVertices::holdByFrame(const std::vector<int>& vertices, const std::string& frame,
                                const Pose& pose, const Positions& positions) {
   const auto known = grips_.find(frame);
-  Grip grip = known == grips_.end() ? Grip{pose, {}} : known->second;
+  Grip grip = known == grips_.end() ? Grip{pose, pose, {}} : known->second;
   for (int v : vertices) {
     dropFromGrips(v);
     grip.places[v] = grip.pose.fromWorld(positions.col(v));
@@ -80,16 +80,15 @@ void HeldVertices::dropFromGrips(int vertex) {
 }
 
 void HeldVertices::place(double s, Positions& positions) const {
-  for (const auto& [frame, next] : next_) {
-    const Grip& grip = grips_.at(frame);
-    const Pose pose = poseBetween(grip.pose, next, s);
+  for (const auto& [frame, grip] : grips_) {
+    if (grip.next == grip.pose) continue;
+    const Pose pose = poseBetween(grip.pose, grip.next, s);
     for (const auto& [v, place] : grip.places) positions.col(v) = pose.toWorld(place);
   }
 }
 
 void HeldVertices::arrive() {
-  for (const auto& [frame, next] : next_) grips_.at(frame).pose = next;
-  next_.clear();
+  for (auto& [frame, grip] : grips_) grip.pose = grip.next;
 }
 
 void HeldVertices::follow(const Positions& positions) {

@@ -34,6 +34,7 @@ Pose poseBetween(const Pose& from, const Pose& to, double s);
 /// Vertices that a frame carries rigidly.
 struct Grip {
   Pose pose;                      ///< of the frame, where it carried them last
+  Pose next;                      ///< where it carries them within the next step that converges
   std::map<int, Vector3> places;  ///< of the vertices, in the frame [m]
 };
 
@@ -50,7 +51,7 @@ class HeldVertices {
   HeldVertices(const std::vector<int>& in_place, std::map<std::string, Grip> grips);
 
   const std::set<int>& all() const { return all_; }
-  /// By the frames' names; none is empty.
+  /// By the frames' names; each holds a vertex or more.
   const std::map<std::string, Grip>& grips() const { return grips_; }
   /// Those that no frame holds.
   std::set<int> inPlace() const;
@@ -62,13 +63,12 @@ class HeldVertices {
                    const Positions& positions);
   void release(const std::set<int>& vertices);
 
-  /// Where the frame stands at the end of the next step. \pre the frame carries vertices
-  void carry(const std::string& frame, const Pose& pose) { next_[frame] = pose; }
+  /// Sets Grip::next. \pre the frame carries vertices
+  void carry(const std::string& frame, const Pose& pose) { grips_.at(frame).next = pose; }
   /// Puts carried vertices where they stand a part s in (0, 1] of the next step on.
   void place(double s, Positions& positions) const;
-  /// The next step is done, or given up.
+  /// The step has converged.
   void arrive();
-  void stay() { next_.clear(); }
 
   /// An edit may have shifted vertices, which keep their new places.
   void follow(const Positions& positions);
@@ -78,7 +78,6 @@ class HeldVertices {
 
   std::set<int> all_;
   std::map<std::string, Grip> grips_;
-  std::map<std::string, Pose> next_;
 };
 
 }  // namespace shell_origami

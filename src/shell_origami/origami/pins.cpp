@@ -25,10 +25,12 @@ std::vector<int> verticesAt(const PinWhere& where, const Sheet& sheet, const Pos
     if (points->empty()) reject("no points are given");
     for (const Vector2& p : *points) {
       if (!p.allFinite()) reject("the point (", p.x(), ", ", p.y(), ") is not finite");
-      if (!sheet.triangulation().locate(p, 1e-6 * sheet.size())) {
+      const int nearest = sheet.nearestVertex(p);
+      const Triangulation& mesh = sheet.triangulation();
+      if (!mesh.locateNear(p, 1e-6 * sheet.size(), mesh.around(nearest)[0])) {
         reject("the point (", p.x(), ", ", p.y(), ") is off the paper");
       }
-      found.insert(sheet.nearestVertex(p));
+      found.insert(nearest);
     }
   } else if (const auto* region = std::get_if<Region>(&where)) {
     if (region->corners.size() < 3) {

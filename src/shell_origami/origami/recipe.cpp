@@ -42,29 +42,28 @@ RecipeRunner::RecipeRunner(Recipe recipe, const RecipePlace& place)
 
 namespace {
 
-/// What a step does at once, and when it is over.
-struct Start {
-  Simulation& simulation;
-
-  void operator()(const PinStep& step) const { simulation.pin(step.where); }
-  void operator()(const UnpinStep& step) const {
-    std::vector<std::int64_t> vertices;
-    for (const Vector2& p : step.points) vertices.push_back(simulation.sheet().nearestVertex(p));
-    simulation.unpin(vertices);
+/// The edits that begin a step.
+struct Edits {
+  std::vector<Edit> operator()(const PinStep& step) const { return {PinEdit{step.where}}; }
+  std::vector<Edit> operator()(const UnpinStep& step) const {
+    if (step.points.empty()) return {UnpinEdit{}};
+    return {UnpinEdit{step.points}};
   }
-  void operator()(const FoldStep& step) const {
-    for (FoldRequest fold : step.folds) {
+  std::vector<Edit> operator()(const FoldStep& step) const {
+    std::vector<Edit> edits;
+    for (FoldEdit fold : step.folds) {
       if (!fold.duration) fold.duration = step.duration;
-      simulation.fold(fold);
+      edits.emplace_back(std::move(fold));
     }
+    return edits;
   }
-  void operator()(const SettleStep& step) const {
-    if (!step.quasi_static) return;
-    const StepReport report = simulation.settle();
-    if (!report.converged) reject("it cannot settle: ", report.failure);
+  std::vector<Edit> operator()(const SettleStep& step) const {
+    if (!step.quasi_static) return {};
+    return {SettleEdit{}};
   }
 };
 
+/// Whether a step is over.
 struct Over {
   const Simulation& simulation;
   double elapsed;
@@ -94,19 +93,28 @@ struct Length {
 
 }  // namespace
 
-bool RecipeRunner::update(Simulation& simulation) {
+bool RecipeRunner::update(const Simulation& simulation, const Apply& apply) {
   while (!finished()) {
     const RecipeStep& step = recipe_.steps[place_.step];
     if (!place_.started) {
-      std::visit(Start{simulation}, step);
+      bool made = true;
+      for (const Edit& edit : std::visit(Edits{}, step)) made = apply(edit) && made;
       place_.started = true;
       place_.start_time = simulation.time();
+      if (!made) return true;
     }
     if (!std::visit(Over{simulation, simulation.time() - place_.start_time}, step)) return true;
     ++place_.step;
     place_.started = false;
   }
   return false;
+}
+
+bool RecipeRunner::update(Simulation& simulation) {
+  return update(simulation, [&](const Edit& edit) {
+    simulation.apply(edit);
+    return true;
+  });
 }
 
 double RecipeRunner::progress(const Simulation& simulation) const {

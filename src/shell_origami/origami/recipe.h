@@ -5,6 +5,7 @@
 #include <shell_origami/fold_format/fold_file.h>
 #include <shell_origami/origami/simulation.h>
 
+#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -34,7 +35,7 @@ struct UnpinStep {
   std::vector<Vector2> points;
 };  ///< empty: all
 struct FoldStep {
-  std::vector<FoldRequest> folds;
+  std::vector<FoldEdit> folds;
   double duration = 1;
 };
 /// Waits until the paper has settled; quasi-statically it goes to equilibrium first, at once.
@@ -89,13 +90,18 @@ struct RecipePlace {
   double start_time = 0;  ///< of that step [s]
 };
 
-/// Carries a recipe out on a simulation. Call update() before each step.
+/// Carries a recipe out. Call update() before each step.
 class RecipeRunner {
  public:
   explicit RecipeRunner(Recipe recipe, const RecipePlace& place = {});
 
-  /// Does what is due now. Returns false once every step of the recipe is done.
-  /// \throws std::invalid_argument when the paper refuses an edit of the recipe.
+  /// Makes an edit of the recipe. Returns false where that takes long, as a SettleEdit may: the
+  /// edit is then made before the next step and the next update().
+  using Apply = std::function<bool(const Edit& edit)>;
+
+  /// Makes the edits that are due now. Returns false once every step of the recipe is done.
+  /// \throws std::invalid_argument when the paper rejects an edit of the recipe.
+  bool update(const Simulation& simulation, const Apply& apply);
   bool update(Simulation& simulation);
 
   const Recipe& recipe() const { return recipe_; }

@@ -203,8 +203,8 @@ void readView(const Reader& reader, const YAML::Node& node, View& view) {
                   {"distance", reader.into(view.distance, "distance")}});
 }
 
-FoldRequest readFoldEntry(const Reader& reader, const YAML::Node& node) {
-  FoldRequest fold;
+FoldEdit readFoldEntry(const Reader& reader, const YAML::Node& node) {
+  FoldEdit fold;
   bool has_place = false, has_angle = false;
   const auto place = [&](const YAML::Node& value) {
     if (has_place) reader.refuseAt(value, "a fold takes one of line and crease, not both");

@@ -124,6 +124,15 @@ const Potentials& Simulation::potentials() {
 /// Puts the rest state where the creases' ramps are at this time.
 void Simulation::updateRestState(double time) { creases_.apply(time, shell_.shell(), shell_.rest); }
 
+/// Moves the rest state as far as the paper's shape makes it: free creases follow, and what is bent
+/// too far yields.
+void Simulation::giveWay(const Positions& positions) {
+  creases_.creep(time_, config_.solver.time_step, sheet_, shell_.shell(), positions);
+  creases_.yield(time_, config_.material, shell_.shell(), positions);
+  rest_.yield(config_.material, positions, shell_.shell(), shell_.rest);
+  updateRestState(time_);
+}
+
 void Simulation::pinsChanged() {
   std::vector<bool> free(sheet_.vertexCount(), true);
   for (int v : held_.all()) free[v] = false;
@@ -161,7 +170,6 @@ StepReport Simulation::step() {
   const StepReport report = counted(stepper_.step(
       potentials(), shell_.shell().masses(), config_.material.air_damping, conditions, motion_));
   if (!report.converged) {
-    held_.stay();
     updateRestState(time_);
     stepper_.restoreState(solver);
     return report;
@@ -169,36 +177,12 @@ StepReport Simulation::step() {
   held_.arrive();
   ++counters_.steps;
   time_ += config_.solver.time_step;
-  creases_.creep(time_, config_.solver.time_step, sheet_, shell_.shell(), motion_.positions);
-  creases_.yield(time_, config_.material, shell_.shell(), motion_.positions);
-  rest_.yield(config_.material, motion_.positions, shell_.shell(), shell_.rest);
-  updateRestState(time_);
+  giveWay(motion_.positions);
   resting_ = atRest();
   if (resting_) {
     motion_.velocities.setZero();
     motion_.accelerations.setZero();
   }
-  return report;
-}
-
-StepReport Simulation::settle() {
-  const CreaseActuation before = creases_;
-  const SolverState solver = stepper_.state();
-  const auto give_way = [this](const Positions& positions) {
-    creases_.creep(time_, config_.solver.time_step, sheet_, shell_.shell(), positions);
-    updateRestState(time_);
-  };
-  const StepReport report =
-      counted(stepper_.relax(potentials(), shell_.shell().masses(), give_way, motion_));
-  if (!report.converged) {
-    creases_ = before;
-    updateRestState(time_);
-    stepper_.restoreState(solver);
-    return report;
-  }
-  EditRecord edit;
-  edit.kind = EditRecord::kSettle;
-  record(std::move(edit));
   return report;
 }
 

@@ -10,9 +10,12 @@
 #include <shell_origami/sheet/sheet.h>
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
@@ -37,8 +40,8 @@ struct Energies {
   double strain() const { return membrane + bending; }
 };
 
-/// Edits throw std::invalid_argument with one sentence that names the offending value, and then
-/// have changed nothing. Everything is deterministic: the same calls give the same bits.
+/// Edits throw std::invalid_argument with a message that names the offending value, and then have
+/// changed nothing. Everything is deterministic: the same calls give the same bits.
 class Simulation {
  public:
   /// A sheet at rest, flat in the plane z = 0, or at `positions` (one column a vertex) with the
@@ -50,38 +53,28 @@ class Simulation {
   /// together.
   explicit Simulation(const Snapshot& snapshot);
 
-  /// Folds that begin at the same time and take equally long run together (FoldRamp). Creases
-  /// that no fold has named are free: soft, they follow what the others ask of them, to the side
-  /// that Crease::pattern_angle asks for.
-  FoldResult fold(const FoldRequest& request);
-  /// Holds vertices where they are and returns them, ascending.
-  std::vector<int> pin(const PinWhere& where);
-  /// Lets the frame, which stands at `pose`, hold them: carry() takes them along.
+  /// Makes an edit and returns what it did. Every change of the paper but time passes through here.
+  EditRecord apply(const Edit& edit);
+
+  /// Where a function is set, an edit that takes long asks it now and then whether to give up: it
+  /// is then rejected.
+  void setInterrupt(std::function<bool()> interrupt) { interrupt_ = std::move(interrupt); }
+
+  // Short for apply(), each with the part of the record that its callers want.
+  EditRecord fold(const FoldEdit& edit) { return apply(edit); }
+  std::vector<int> pin(const PinWhere& where) { return apply(PinEdit{where}).vertices; }
   std::vector<int> pin(const PinWhere& where, const std::string& frame, const Pose& pose);
-  /// Lets go of these vertices (none given: of all) and returns them.
-  std::vector<int> unpin(const std::vector<std::int64_t>& vertices = {});
-  /// Stops every fold under way: its crease rests from now on at the angle its ramp has reached.
-  void stopFolds();
-  /// Adds a vertex on the edge a, b at `fraction` of its flat length from a.
+  std::vector<int> unpin(const std::optional<PinWhere>& where = {});
   int addVertex(std::int64_t a, std::int64_t b, double fraction);
-  /// From here on the paper moves under these.
-  void configure(const LiveConfig& live);
-
-  /// Takes a frame's vertices along, within the next step, to where the frame then stands.
-  void carry(const std::string& frame, const Pose& pose);
-
-  /// The edits taken since the last call, oldest first.
-  std::vector<EditRecord> takeEdits();
-  /// Takes an edit once more, on paper as it was then.
-  void redo(const EditRecord& edit);
+  void carry(const std::string& frame, const Pose& pose) { apply(CarryEdit{frame, pose}); }
+  StepReport settle() { return apply(SettleEdit{}).report; }
+  void stopFolds() { apply(StopEdit{}); }
+  void configure(const LiveConfig& live) { apply(ConfigureEdit{live}); }
 
   /// Advances by SolverConfig::time_step. A step that does not converge leaves everything as it
-  /// was and says so in the report. Paper that has come to rest stays there, at no cost, until an
-  /// edit touches it.
+  /// was, a frame's way to carry included, and says so in the report. Paper that has come to rest
+  /// stays there, at no cost, until an edit touches it.
   StepReport step();
-  /// Goes to equilibrium at once, without time passing, everything at rest where ramps are now. If
-  /// there is none (paper that is not pinned falls) it leaves everything as it was and says so.
-  StepReport settle();
 
   const Sheet& sheet() const { return sheet_; }
   const ShellPotential& shell() const { return shell_; }
@@ -110,18 +103,25 @@ class Simulation {
 
  private:
   class StepConditions;
-  FoldResult foldLine(const Segment& line, const FoldRequest& request);
-  FoldResult foldNamed(const std::string& name, const FoldRequest& request);
-  void startRamp(int crease, double target, const FoldRequest& request);
-  EditRecord foldRecord(const FoldRequest& request, const std::vector<int>& vertices) const;
+  // Each makes one edit, adds what it did to the record, and returns EditRecord::edit.
+  FoldEdit make(const FoldEdit& edit, EditRecord& record);
+  PinEdit make(const PinEdit& edit, EditRecord& record);
+  UnpinEdit make(const UnpinEdit& edit, EditRecord& record);
+  AddVertexEdit make(const AddVertexEdit& edit, EditRecord& record);
+  CarryEdit make(const CarryEdit& edit, EditRecord& record);
+  SettleEdit make(const SettleEdit& edit, EditRecord& record);
+  StopEdit make(const StopEdit& edit, EditRecord& record);
+  ConfigureEdit make(const ConfigureEdit& edit, EditRecord& record);
+  void foldLine(const Segment& line, const FoldEdit& edit, EditRecord& record);
+  void foldNamed(const std::string& name, const FoldEdit& edit, EditRecord& record);
+  void startRamp(int crease, double target, const FoldEdit& edit);
   StepReport counted(StepReport report);
   void follow(const Remap& remap, const std::vector<Crease>& creases_before);
   void topologyChanged();
   void updateRestState(double time);
+  void giveWay(const Positions& positions);
   const Potentials& potentials();
   void pinsChanged();
-  std::vector<int> pinned(EditRecord edit);
-  void record(EditRecord edit);
   bool atRest() const;
 
   SimulationConfig config_;
@@ -134,9 +134,9 @@ class Simulation {
   HeldVertices held_;
   Stepper stepper_;
   Counters counters_;
-  std::vector<EditRecord> edits_;
   double time_ = 0;
   bool resting_ = false;
+  std::function<bool()> interrupt_;
 };
 
 }  // namespace shell_origami

@@ -3,7 +3,9 @@
 #include <shell_origami/base/error.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <utility>
+#include <variant>
 
 namespace shell_origami {
 namespace {
@@ -11,52 +13,70 @@ namespace {
 /// Beyond this [N*m/rad per m], 20,000 times a paper's crease, the matrix of a step is too badly
 /// conditioned to be factorized.
 constexpr double kStiffest = 100;
-void checkFold(const FoldRequest& request) {
-  if (!(std::abs(request.angle) < M_PI)) {
-    reject("angle ", request.angle, " rad is not inside (-pi, pi)");
+/// The least that a parameter may be as well.
+constexpr double kSoftest = 1e-9;
+
+void checkFold(const FoldEdit& edit) {
+  if (!(std::abs(edit.angle) < M_PI)) {
+    reject("angle ", edit.angle, " rad is not inside (-pi, pi)");
   }
-  if (request.duration && !(*request.duration >= 0 && std::isfinite(*request.duration))) {
-    reject("duration ", *request.duration, " s is negative or not finite");
+  if (edit.duration && !(*edit.duration >= 0 && std::isfinite(*edit.duration))) {
+    reject("duration ", *edit.duration, " s is negative or not finite");
   }
-  if (request.stiffness && !(*request.stiffness > 0 && *request.stiffness <= kStiffest)) {
-    reject("stiffness ", *request.stiffness, " N*m/rad per m is not positive and at most ",
+  if (edit.stiffness && !(*edit.stiffness >= kSoftest && *edit.stiffness <= kStiffest)) {
+    reject("stiffness ", *edit.stiffness, " N*m/rad per m is not from ", kSoftest, " to ",
            kStiffest);
   }
 }
 
 }  // namespace
 
-FoldResult Simulation::fold(const FoldRequest& request) {
-  checkFold(request);
-  if (const auto* named = std::get_if<CreaseName>(&request.where)) {
-    return foldNamed(named->name, request);
-  }
-  if (const auto* line = std::get_if<Segment>(&request.where)) return foldLine(*line, request);
-  const auto [a, b] = std::get<VertexPair>(request.where).vertices;
-  checkVertex(sheet_, a);
-  checkVertex(sheet_, b);
-  if (a == b) reject("both ends of the line are vertex ", a);
-  return foldLine({sheet_.flatPositions()[a], sheet_.flatPositions()[b]}, request);
+EditRecord Simulation::apply(const Edit& edit) {
+  EditRecord record;
+  record.step = counters_.steps;
+  record.time = time_;
+  record.edit = std::visit([&](const auto& kind) -> Edit { return make(kind, record); }, edit);
+  record.revision = sheet_.revision();
+  resting_ = false;
+  return record;
 }
 
-FoldResult Simulation::foldLine(const Segment& line, const FoldRequest& request) {
-  const std::vector<Crease> creases_before = sheet_.creases();
-  FoldLine made = makeFoldLine(sheet_, line, request.name, {&motion_.positions, pinned()});
-  follow(made.remap, creases_before);
-  for (std::uint32_t id : made.crease_ids) {
-    startRamp(sheet_.creaseIndex(id), request.angle, request);
+FoldEdit Simulation::make(const FoldEdit& edit, EditRecord& record) {
+  checkFold(edit);
+  FoldEdit made = edit;
+  made.duration = edit.duration.value_or(config_.fold_duration);
+  made.stiffness = edit.stiffness.value_or(config_.material.crease_stiffness);
+  if (const auto* named = std::get_if<CreaseName>(&edit.where)) {
+    foldNamed(named->name, made, record);
+  } else if (const auto* line = std::get_if<Segment>(&edit.where)) {
+    foldLine(*line, made, record);
+  } else {
+    const auto [a, b] = std::get<VertexPair>(edit.where).vertices;
+    checkVertex(sheet_, a);
+    checkVertex(sheet_, b);
+    if (a == b) reject("both ends of the line are vertex ", a);
+    const Segment between{sheet_.flatPositions()[a], sheet_.flatPositions()[b]};
+    foldLine(between, made, record);
+    made.where = between;
   }
   creases_.synchronize(time_);
   updateRestState(time_);
-  EditRecord edit = foldRecord(request, made.vertices);
-  edit.line = {line[0], line[1]};
-  edit.name = request.name;
-  record(std::move(edit));
-  return {std::move(made.crease_ids), std::move(made.vertices), made.parts};
+  return made;
 }
 
-FoldResult Simulation::foldNamed(const std::string& name, const FoldRequest& request) {
-  FoldResult result;
+void Simulation::foldLine(const Segment& line, const FoldEdit& edit, EditRecord& record) {
+  const std::vector<Crease> creases_before = sheet_.creases();
+  FoldLine line_made = makeFoldLine(sheet_, line, edit.name, {&motion_.positions, pinned()});
+  follow(line_made.remap, creases_before);
+  for (std::uint32_t id : line_made.crease_ids) {
+    startRamp(sheet_.creaseIndex(id), edit.angle, edit);
+  }
+  record.crease_ids = std::move(line_made.crease_ids);
+  record.vertices = std::move(line_made.vertices);
+  record.parts = line_made.parts;
+}
+
+void Simulation::foldNamed(const std::string& name, const FoldEdit& edit, EditRecord& record) {
   for (std::size_t i = 0; i < sheet_.creases().size(); ++i) {
     const Crease& crease = sheet_.creases()[i];
     const bool in_group = (name == "mountains" && crease.pattern_angle < 0) ||
@@ -64,103 +84,97 @@ FoldResult Simulation::foldNamed(const std::string& name, const FoldRequest& req
                           (name == "all" && std::abs(crease.pattern_angle) > 0);
     if (!in_group && crease.name != name) continue;
     const bool flips = name == "all" && crease.pattern_angle < 0;
-    startRamp(static_cast<int>(i), flips ? -request.angle : request.angle, request);
-    result.crease_ids.push_back(crease.id);
-    result.vertices.insert(result.vertices.end(), crease.vertices.begin(), crease.vertices.end());
+    startRamp(static_cast<int>(i), flips ? -edit.angle : edit.angle, edit);
+    record.crease_ids.push_back(crease.id);
+    record.vertices.insert(record.vertices.end(), crease.vertices.begin(), crease.vertices.end());
   }
-  if (result.crease_ids.empty()) reject("no crease or group of creases is called '", name, "'");
-  creases_.synchronize(time_);
-  updateRestState(time_);
-  EditRecord edit = foldRecord(request, result.vertices);
-  edit.crease = name;
-  record(std::move(edit));
-  return result;
+  if (record.crease_ids.empty()) reject("no crease or group of creases is called '", name, "'");
 }
 
-void Simulation::startRamp(int crease, double target, const FoldRequest& request) {
-  creases_.start(crease, target, time_, request.duration.value_or(config_.fold_duration),
-                 request.stiffness.value_or(config_.material.crease_stiffness), shell_.shell(),
+void Simulation::startRamp(int crease, double target, const FoldEdit& edit) {
+  creases_.start(crease, target, time_, *edit.duration, *edit.stiffness, shell_.shell(),
                  motion_.positions);
 }
 
-EditRecord Simulation::foldRecord(const FoldRequest& request,
-                                  const std::vector<int>& vertices) const {
-  EditRecord edit;
-  edit.vertices = vertices;
-  edit.angle = request.angle;
-  edit.duration = request.duration.value_or(config_.fold_duration);
-  edit.stiffness = request.stiffness.value_or(config_.material.crease_stiffness);
-  return edit;
+namespace {
+
+PinWhere numbersOf(const std::vector<int>& vertices) {
+  return std::vector<std::int64_t>(vertices.begin(), vertices.end());
 }
 
-std::vector<int> Simulation::pin(const PinWhere& where) {
-  EditRecord edit;
-  edit.vertices = verticesAt(where, sheet_, motion_.positions);
-  held_.holdInPlace(edit.vertices);
-  return pinned(std::move(edit));
-}
+}  // namespace
 
-std::vector<int> Simulation::pin(const PinWhere& where, const std::string& frame,
-                                 const Pose& pose) {
-  if (frame.empty()) reject("the frame that is to hold the paper has no name");
-  checkPose(pose);
-  EditRecord edit;
-  edit.vertices = verticesAt(where, sheet_, motion_.positions);
-  edit.frame = frame;
-  edit.pose = pose;
-  held_.holdByFrame(edit.vertices, frame, pose, motion_.positions);
-  return pinned(std::move(edit));
-}
-
-std::vector<int> Simulation::pinned(EditRecord edit) {
+PinEdit Simulation::make(const PinEdit& edit, EditRecord& record) {
+  if (!edit.frame.empty()) checkPose(edit.pose);
+  record.vertices = verticesAt(edit.where, sheet_, motion_.positions);
+  if (edit.frame.empty()) held_.holdInPlace(record.vertices);
+  else held_.holdByFrame(record.vertices, edit.frame, edit.pose, motion_.positions);
   pinsChanged();
-  edit.kind = EditRecord::kPin;
-  std::vector<int> vertices = edit.vertices;
-  record(std::move(edit));
-  return vertices;
+  return {numbersOf(record.vertices), edit.frame, edit.pose};
 }
 
-std::vector<int> Simulation::unpin(const std::vector<std::int64_t>& vertices) {
-  std::set<int> freed;
-  for (std::int64_t v : vertices) {
-    checkVertex(sheet_, v);
-    if (!pinned().count(static_cast<int>(v))) reject("vertex ", v, " is not pinned");
-    freed.insert(static_cast<int>(v));
+UnpinEdit Simulation::make(const UnpinEdit& edit, EditRecord& record) {
+  const std::set<int>& held = pinned();
+  if (edit.where) record.vertices = verticesAt(*edit.where, sheet_, motion_.positions);
+  else record.vertices.assign(held.begin(), held.end());
+  for (int v : record.vertices) {
+    if (!held.count(v)) reject("vertex ", v, " is not pinned");
   }
-  if (vertices.empty()) freed = pinned();
-  held_.release(freed);
+  held_.release({record.vertices.begin(), record.vertices.end()});
   pinsChanged();
-  EditRecord edit;
-  edit.kind = EditRecord::kUnpin;
-  edit.vertices.assign(freed.begin(), freed.end());
-  record(edit);
-  return edit.vertices;
+  // No vertices at all is more than verticesAt() takes.
+  if (record.vertices.empty()) return {};
+  return {numbersOf(record.vertices)};
 }
 
-int Simulation::addVertex(std::int64_t a, std::int64_t b, double fraction) {
+AddVertexEdit Simulation::make(const AddVertexEdit& edit, EditRecord& record) {
+  const auto [a, b] = edit.edge;
   checkVertex(sheet_, a);
   checkVertex(sheet_, b);
   const std::vector<Crease> creases_before = sheet_.creases();
   const AddedVertex added =
-      shell_origami::addVertex(sheet_, static_cast<int>(a), static_cast<int>(b), fraction);
+      shell_origami::addVertex(sheet_, static_cast<int>(a), static_cast<int>(b), edit.fraction);
   follow(added.remap, creases_before);
-  EditRecord edit;
-  edit.kind = EditRecord::kAddVertex;
-  edit.vertices = {static_cast<int>(a), static_cast<int>(b), added.vertex};
-  edit.fraction = fraction;
-  record(std::move(edit));
-  return added.vertex;
+  record.vertices = {added.vertex};
+  return edit;
 }
 
-void Simulation::stopFolds() {
-  if (!folding()) return;
+CarryEdit Simulation::make(const CarryEdit& edit, EditRecord&) {
+  checkPose(edit.pose);
+  if (!held_.grips().count(edit.frame)) reject("frame \"", edit.frame, "\" holds no vertex");
+  held_.carry(edit.frame, edit.pose);
+  return edit;
+}
+
+SettleEdit Simulation::make(const SettleEdit& edit, EditRecord& record) {
+  const CreaseActuation creases = creases_;
+  const RestShape rest = rest_;
+  const RestState rest_state = shell_.rest;
+  const SolverState solver = stepper_.state();
+  const auto adapt = [this](const Positions& positions) {
+    if (interrupt_ && interrupt_()) reject("the paper was interrupted before it found equilibrium");
+    giveWay(positions);
+  };
+  try {
+    record.report = counted(stepper_.relax(potentials(), shell_.shell().masses(), adapt, motion_));
+    if (!record.report.converged) reject(record.report.failure);
+  } catch (const std::invalid_argument&) {
+    creases_ = creases;
+    rest_ = rest;
+    shell_.rest = rest_state;
+    stepper_.restoreState(solver);
+    throw;
+  }
+  return edit;
+}
+
+StopEdit Simulation::make(const StopEdit& edit, EditRecord&) {
   creases_.stop(time_);
-  EditRecord edit;
-  edit.kind = EditRecord::kStop;
-  record(std::move(edit));
+  return edit;
 }
 
-void Simulation::configure(const LiveConfig& live) {
+ConfigureEdit Simulation::make(const ConfigureEdit& edit, EditRecord&) {
+  const LiveConfig& live = edit.live;
   SimulationConfig changed = config_;
   changed.gravity = live.gravity;
   changed.material.air_damping = live.air_damping;
@@ -176,79 +190,21 @@ void Simulation::configure(const LiveConfig& live) {
   }
   config_ = changed;
   shell_.gravity = config_.gravity;
-  EditRecord edit;
-  edit.kind = EditRecord::kConfigure;
-  edit.gravity = live.gravity;
-  edit.air_damping = live.air_damping;
-  edit.duration = live.fold_duration;
-  record(std::move(edit));
+  return edit;
 }
 
-/// Every edit ends here. It wakes paper that rests.
-void Simulation::record(EditRecord edit) {
-  resting_ = false;
-  edit.step = counters_.steps;
-  edit.time = time_;
-  edit.revision = sheet_.revision();
-  edits_.push_back(std::move(edit));
+std::vector<int> Simulation::pin(const PinWhere& where, const std::string& frame,
+                                 const Pose& pose) {
+  if (frame.empty()) reject("the name of the frame that is to hold the paper is empty");
+  return apply(PinEdit{where, frame, pose}).vertices;
 }
 
-std::vector<EditRecord> Simulation::takeEdits() { return std::exchange(edits_, {}); }
-
-void Simulation::carry(const std::string& frame, const Pose& pose) {
-  checkPose(pose);
-  const auto grip = held_.grips().find(frame);
-  if (grip == held_.grips().end()) reject("frame \"", frame, "\" holds no vertex");
-  if (grip->second.pose == pose) return;
-  held_.carry(frame, pose);
-  EditRecord edit;
-  edit.kind = EditRecord::kCarry;
-  edit.frame = frame;
-  edit.pose = pose;
-  record(std::move(edit));
+std::vector<int> Simulation::unpin(const std::optional<PinWhere>& where) {
+  return apply(UnpinEdit{where}).vertices;
 }
 
-namespace {
-
-FoldRequest foldRequest(const EditRecord& edit) {
-  FoldRequest fold;
-  if (edit.crease.empty()) {
-    if (edit.line.size() != 2) reject("a recorded fold has ", edit.line.size(), " ends, not two");
-    fold.where = Segment{edit.line[0], edit.line[1]};
-  } else {
-    fold.where = CreaseName{edit.crease};
-  }
-  fold.angle = edit.angle;
-  fold.duration = edit.duration;
-  fold.stiffness = edit.stiffness;
-  fold.name = edit.name;
-  return fold;
-}
-
-}  // namespace
-
-void Simulation::redo(const EditRecord& edit) {
-  const std::vector<std::int64_t> vertices(edit.vertices.begin(), edit.vertices.end());
-  switch (edit.kind) {
-    case EditRecord::kFold: fold(foldRequest(edit)); break;
-    case EditRecord::kPin:
-      if (edit.frame.empty()) pin(vertices);
-      else pin(vertices, edit.frame, edit.pose);
-      break;
-    case EditRecord::kUnpin: unpin(vertices); break;
-    case EditRecord::kAddVertex:
-      if (vertices.size() < 2) reject("a recorded vertex lies on no edge");
-      addVertex(vertices[0], vertices[1], edit.fraction);
-      break;
-    case EditRecord::kSettle: {
-      const StepReport report = settle();
-      if (!report.converged) reject("it does not settle again: ", report.failure);
-      break;
-    }
-    case EditRecord::kCarry: carry(edit.frame, edit.pose); break;
-    case EditRecord::kStop: stopFolds(); break;
-    case EditRecord::kConfigure: configure({edit.gravity, edit.air_damping, edit.duration}); break;
-  }
+int Simulation::addVertex(std::int64_t a, std::int64_t b, double fraction) {
+  return apply(AddVertexEdit{{a, b}, fraction}).vertices.front();
 }
 
 }  // namespace shell_origami

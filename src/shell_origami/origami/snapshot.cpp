@@ -190,6 +190,18 @@ RestShape readRest(const Json& json, const NaturalCurvature& roll, const Sheet& 
   return RestShape(roll, sheet, std::move(set), std::move(plastic));
 }
 
+Json write(const Pose& pose) {
+  return {{"position", numbers(pose.position)},
+          {"orientation", numbers(pose.orientation.coeffs())}};
+}
+
+Pose readPose(const Json& json) {
+  const auto q = json.at("orientation").get<std::array<double, 4>>();
+  const Pose pose{vectorFrom(json.at("position")), Eigen::Quaterniond(q[3], q[0], q[1], q[2])};
+  checkPose(pose);
+  return pose;
+}
+
 Json write(const HeldVertices& held) {
   Json grips = Json::object();
   for (const auto& [frame, grip] : held.grips()) {
@@ -197,9 +209,9 @@ Json write(const HeldVertices& held) {
     for (const auto& [v, place] : grip.places) {
       places.push_back({{"vertex", v}, {"place", numbers(place)}});
     }
-    grips[frame] = {{"position", numbers(grip.pose.position)},
-                    {"orientation", numbers(grip.pose.orientation.coeffs())},
-                    {"places", places}};
+    grips[frame] = write(grip.pose);
+    grips[frame]["places"] = places;
+    if (!(grip.next == grip.pose)) grips[frame]["next"] = write(grip.next);
   }
   return {{"in_place", held.inPlace()}, {"grips", grips}};
 }
@@ -208,10 +220,8 @@ HeldVertices readHeld(const Json& json, int vertex_count) {
   std::map<std::string, Grip> grips;
   for (const auto& [frame, entry] : json.at("grips").items()) {
     Grip& grip = grips[frame];
-    grip.pose.position = vectorFrom(entry.at("position"));
-    const auto q = entry.at("orientation").get<std::array<double, 4>>();
-    grip.pose.orientation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
-    checkPose(grip.pose);
+    grip.pose = readPose(entry);
+    grip.next = entry.contains("next") ? readPose(entry.at("next")) : grip.pose;
     for (const Json& place : entry.at("places")) {
       const int v = place.at("vertex");
       checkIds({v}, vertex_count);

@@ -3,79 +3,202 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/node/conversions.h>
 
-#include <map>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace shell_origami {
 namespace {
 
 using Json = nlohmann::json;
 
-const std::map<std::string, EditRecord::Kind>& kinds() {
-  static const std::map<std::string, EditRecord::Kind> kKinds = {
-      {msg::Edit::FOLD, EditRecord::kFold},
-      {msg::Edit::PIN, EditRecord::kPin},
-      {msg::Edit::UNPIN, EditRecord::kUnpin},
-      {msg::Edit::CARRY, EditRecord::kCarry},
-      {msg::Edit::ADD_VERTEX, EditRecord::kAddVertex},
-      {msg::Edit::SETTLE, EditRecord::kSettle},
-      {msg::Edit::STOP, EditRecord::kStop},
-      {msg::Edit::CONFIGURE, EditRecord::kConfigure}};
-  return kKinds;
+// Each kind of edit is one function below, which names its fields in the edit and in the message
+// side by side and passes the pairs to `link`, and one row of kKinds. `link` copies one way or the
+// other.
+
+Vector3 vectorFrom(const geometry_msgs::Vector3& v) { return {v.x, v.y, v.z}; }
+
+geometry_msgs::Vector3 vectorMessage(const Vector3& v) {
+  geometry_msgs::Vector3 message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
 }
 
-std::string wordFor(EditRecord::Kind kind) {
-  for (const auto& [word, known] : kinds()) {
-    if (known == kind) return word;
+struct IntoMessage {
+  template <class Value>
+  void operator()(const Value& value, Value& field) const {
+    field = value;
   }
-  return "";
+  void operator()(const std::optional<double>& value, double& field) const { field = *value; }
+  void operator()(const Vector3& value, geometry_msgs::Vector3& field) const {
+    field = vectorMessage(value);
+  }
+  void operator()(const Pose& value, geometry_msgs::Pose& field) const {
+    field = poseMessage(value);
+  }
+  /// Records name vertices by their numbers.
+  void operator()(const PinWhere& value, std::vector<std::uint32_t>& field) const {
+    const auto& vertices = std::get<std::vector<std::int64_t>>(value);
+    field.assign(vertices.begin(), vertices.end());
+  }
+  void operator()(const std::optional<PinWhere>& value, std::vector<std::uint32_t>& field) const {
+    if (value) operator()(*value, field);
+  }
+  void operator()(const std::array<std::int64_t, 2>& value,
+                  std::vector<std::uint32_t>& field) const {
+    field.assign(value.begin(), value.end());
+  }
+  /// Records name two vertices by the line between them.
+  void operator()(const decltype(FoldEdit::where)& value, std::string& crease,
+                  std::vector<geometry_msgs::Point>& line) const {
+    if (const auto* named = std::get_if<CreaseName>(&value)) {
+      crease = named->name;
+      return;
+    }
+    for (const Vector2& p : std::get<Segment>(value)) {
+      line.push_back(pointMessage({p.x(), p.y(), 0}));
+    }
+  }
+};
+
+struct FromMessage {
+  template <class Value>
+  void operator()(Value& value, const Value& field) const {
+    value = field;
+  }
+  void operator()(std::optional<double>& value, double field) const { value = field; }
+  void operator()(Vector3& value, const geometry_msgs::Vector3& field) const {
+    value = vectorFrom(field);
+  }
+  void operator()(Pose& value, const geometry_msgs::Pose& field) const { value = poseFrom(field); }
+  void operator()(PinWhere& value, const std::vector<std::uint32_t>& field) const {
+    value = vertexIds(field);
+  }
+  void operator()(std::optional<PinWhere>& value, const std::vector<std::uint32_t>& field) const {
+    if (!field.empty()) value = vertexIds(field);
+  }
+  void operator()(std::array<std::int64_t, 2>& value,
+                  const std::vector<std::uint32_t>& field) const {
+    if (field.size() < 2) reject("a recorded edge has ", field.size(), " vertices, not two");
+    value = {field[0], field[1]};
+  }
+  void operator()(decltype(FoldEdit::where)& value, const std::string& crease,
+                  const std::vector<geometry_msgs::Point>& line) const {
+    if (!crease.empty()) {
+      value = CreaseName{crease};
+      return;
+    }
+    if (line.size() != 2) reject("a recorded fold has ", line.size(), " ends, not two");
+    value = Segment{Vector2(line[0].x, line[0].y), Vector2(line[1].x, line[1].y)};
+  }
+};
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, FoldEdit*, Edit& edit, Message& message) {
+  link(edit.where, message.crease, message.line);
+  link(edit.angle, message.angle);
+  link(edit.duration, message.duration);
+  link(edit.stiffness, message.stiffness);
+  link(edit.name, message.name);
+}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, PinEdit*, Edit& edit, Message& message) {
+  link(edit.where, message.vertices);
+  link(edit.frame, message.frame_id);
+  link(edit.pose, message.pose);
+}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, UnpinEdit*, Edit& edit, Message& message) {
+  link(edit.where, message.vertices);
+}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, AddVertexEdit*, Edit& edit, Message& message) {
+  link(edit.edge, message.vertices);
+  link(edit.fraction, message.fraction);
+}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, CarryEdit*, Edit& edit, Message& message) {
+  link(edit.frame, message.frame_id);
+  link(edit.pose, message.pose);
+}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link&, SettleEdit*, Edit&, Message&) {}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link&, StopEdit*, Edit&, Message&) {}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, ConfigureEdit*, Edit& edit, Message& message) {
+  link(edit.live.gravity, message.gravity);
+  link(edit.live.air_damping, message.air_damping);
+  link(edit.live.fold_duration, message.duration);
+}
+
+struct Kind {
+  std::string name;
+  void (*write)(const Edit& edit, msg::Edit& message);
+  Edit (*read)(const msg::Edit& message);
+};
+
+template <class Struct>
+Kind kind(const std::string& name) {
+  return {name,
+          [](const Edit& edit, msg::Edit& message) {
+            const auto& fields = std::get<Struct>(edit);
+            linkFields(IntoMessage(), static_cast<Struct*>(nullptr), fields, message);
+          },
+          [](const msg::Edit& message) -> Edit {
+            Struct fields{};
+            linkFields(FromMessage(), static_cast<Struct*>(nullptr), fields, message);
+            return fields;
+          }};
+}
+
+/// In the order of the variant.
+const std::array<Kind, std::variant_size_v<Edit>>& kinds() {
+  static const std::array<Kind, std::variant_size_v<Edit>> kKinds = {
+      kind<FoldEdit>(msg::Edit::FOLD),   kind<PinEdit>(msg::Edit::PIN),
+      kind<UnpinEdit>(msg::Edit::UNPIN), kind<AddVertexEdit>(msg::Edit::ADD_VERTEX),
+      kind<CarryEdit>(msg::Edit::CARRY), kind<SettleEdit>(msg::Edit::SETTLE),
+      kind<StopEdit>(msg::Edit::STOP),   kind<ConfigureEdit>(msg::Edit::CONFIGURE)};
+  return kKinds;
 }
 
 }  // namespace
 
-msg::Edit editMessage(const EditRecord& edit) {
+msg::Edit editMessage(const EditRecord& record) {
   msg::Edit message;
-  message.number = edit.number;
-  message.step = edit.step;
-  message.revision = edit.revision;
-  message.kind = wordFor(edit.kind);
-  message.crease = edit.crease;
-  message.name = edit.name;
-  for (const Vector2& p : edit.line) message.line.push_back(pointMessage({p.x(), p.y(), 0}));
-  message.vertices = vertexIds(edit.vertices);
-  message.angle = edit.angle;
-  message.duration = edit.duration;
-  message.stiffness = edit.stiffness;
-  message.fraction = edit.fraction;
-  message.gravity.x = edit.gravity.x();
-  message.gravity.y = edit.gravity.y();
-  message.gravity.z = edit.gravity.z();
-  message.air_damping = edit.air_damping;
-  message.frame_id = edit.frame;
-  message.pose = poseMessage(edit.pose);
+  message.number = record.number;
+  message.step = record.step;
+  message.revision = record.revision;
+  message.pose = poseMessage({});
+  const Kind& kind = kinds()[record.edit.index()];
+  message.kind = kind.name;
+  kind.write(record.edit, message);
+  // What a fold or a new vertex made, for those who read.
+  const bool makes = std::holds_alternative<FoldEdit>(record.edit) ||
+                     std::holds_alternative<AddVertexEdit>(record.edit);
+  if (makes) {
+    message.vertices.insert(message.vertices.end(), record.vertices.begin(), record.vertices.end());
+  }
   return message;
 }
 
-EditRecord editRecord(const msg::Edit& message) {
-  const auto kind = kinds().find(message.kind);
-  if (kind == kinds().end()) reject("there is no edit of the kind \"", message.kind, "\"");
-  EditRecord edit;
-  edit.kind = kind->second;
-  edit.number = message.number;
-  edit.step = message.step;
-  edit.revision = message.revision;
-  edit.crease = message.crease;
-  edit.name = message.name;
-  for (const geometry_msgs::Point& p : message.line) edit.line.emplace_back(p.x, p.y);
-  edit.vertices.assign(message.vertices.begin(), message.vertices.end());
-  edit.angle = message.angle;
-  edit.duration = message.duration;
-  edit.stiffness = message.stiffness;
-  edit.fraction = message.fraction;
-  edit.gravity = {message.gravity.x, message.gravity.y, message.gravity.z};
-  edit.air_damping = message.air_damping;
-  edit.frame = message.frame_id;
-  edit.pose = poseFrom(message.pose);
-  return edit;
+Edit editFrom(const msg::Edit& message) {
+  for (const Kind& kind : kinds()) {
+    if (kind.name == message.kind) return kind.read(message);
+  }
+  reject("there is no edit of the kind \"", message.kind, "\"");
 }
 
 msg::Edit paperMessage(const Session& session, const std::string& kind, const std::string& path) {

@@ -10,13 +10,13 @@
 namespace shell_origami {
 
 /// The header is left open.
-msg::Edit editMessage(const EditRecord& edit);
+msg::Edit editMessage(const EditRecord& record);
 /// Kind paper, load or reset: the whole paper after its last edit. The header is left open.
 msg::Edit paperMessage(const Session& session, const std::string& kind,
                        const std::string& path = "");
 
-/// \throws std::invalid_argument with one sentence when it is none that paper takes.
-EditRecord editRecord(const msg::Edit& message);
+/// The message's edit. \throws std::invalid_argument with a message when there is no such kind.
+Edit editFrom(const msg::Edit& message);
 /// Whether the message carries a whole paper.
 bool carriesPaper(const msg::Edit& message);
 /// \throws std::invalid_argument with one sentence when it carries none.

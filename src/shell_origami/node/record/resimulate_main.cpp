@@ -12,22 +12,38 @@
 #include <rosbag/view.h>
 
 #include <cstdio>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
 using shell_origami::Resimulation;
 namespace msg = shell_origami::msg;
 
-/// Topics are known by what they carry: the node may have had another name.
-Resimulation read(const std::string& path) {
-  rosbag::Bag bag(path, rosbag::bagmode::Read);
-  Resimulation resimulation;
-  for (const rosbag::MessageInstance& message : rosbag::View(bag)) {
-    if (const auto edit = message.instantiate<msg::Edit>()) resimulation.add(*edit);
-    if (const auto state = message.instantiate<msg::SheetState>()) resimulation.add(*state);
+template <class Message>
+void add(const rosbag::MessageInstance& message, Resimulation& resimulation) {
+  if (message.getDataType() != ros::message_traits::DataType<Message>::value()) return;
+  const auto read = message.instantiate<Message>();
+  if (!read) {
+    throw std::invalid_argument(message.getDataType() +
+                                " was recorded by another version of shell_origami");
   }
-  return resimulation;
+  resimulation.add(read);
+}
+
+/// Topics are known by what they carry: the node may have had another name.
+Resimulation::Result simulate(const std::string& path) {
+  rosbag::Bag bag(path, rosbag::bagmode::Read);
+  const std::vector<std::string> names = {ros::message_traits::DataType<msg::Edit>::value(),
+                                          ros::message_traits::DataType<msg::SheetState>::value()};
+  const rosbag::TypeQuery types(names);
+  Resimulation resimulation;
+  for (const rosbag::MessageInstance& message : rosbag::View(bag, types)) {
+    add<msg::Edit>(message, resimulation);
+    add<msg::SheetState>(message, resimulation);
+  }
+  return resimulation.finish();
 }
 
 int tell(const std::string& path, const Resimulation::Result& result) {
@@ -53,7 +69,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    return tell(argv[1], read(argv[1]).run());
+    return tell(argv[1], simulate(argv[1]));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "resimulate: %s: %s\n", argv[1], error.what());
     return 2;

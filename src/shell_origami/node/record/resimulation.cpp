@@ -6,17 +6,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shell_origami {
 namespace {
 
-/// Largest difference of a coordinate [m]; infinite where they are not of one sheet.
+/// So many states wait for an edit at most, before it counts as missing: the two topics reach the
+/// recorder by ways of their own.
+constexpr std::size_t kMostWaiting = 1000;
+
+/// Largest difference of a coordinate [m]; infinite where they are not of one sheet, or one is NaN.
 double difference(const msg::SheetState& a, const msg::SheetState& b) {
   if (a.positions.size() != b.positions.size() || a.revision != b.revision) return HUGE_VAL;
   double largest = 0;
   for (std::size_t i = 0; i < a.positions.size(); ++i) {
     const auto &p = a.positions[i], &q = b.positions[i];
     for (const float d : {p.x - q.x, p.y - q.y, p.z - q.z}) {
+      if (std::isnan(d)) return HUGE_VAL;
       largest = std::max(largest, std::abs(static_cast<double>(d)));
     }
   }
@@ -32,37 +38,60 @@ bool sameAngles(const msg::SheetState& a, const msg::SheetState& b) {
 
 }  // namespace
 
-void Resimulation::add(const msg::SheetState& state) {
-  states_[{state.edits, state.step}].push_back(state);
+void Resimulation::add(msg::SheetState::ConstPtr state) {
+  if (!session_) {
+    ++result_.skipped;
+    return;
+  }
+  states_.push_back(std::move(state));
+  advance();
 }
 
-void Resimulation::add(const msg::Edit& edit) { edits_.push_back(edit); }
+void Resimulation::add(msg::Edit::ConstPtr edit) {
+  if (!session_) {
+    if (!carriesPaper(*edit)) return;
+    session_ = paperFrom(*edit);
+    start_time_ = session_->time();
+    return;
+  }
+  const std::uint64_t last = edits_.empty() ? session_->edits() : edits_.back()->number;
+  if (edit->number <= last) return;  // the whole paper, sent to another listener
+  edits_.push_back(std::move(edit));
+  advance();
+}
 
-Resimulation::Result Resimulation::run() {
-  for (const msg::Edit& edit : edits_) {
-    if (!session_) {
-      start(edit);
-    } else if (edit.number > session_->edits()) {
-      make(edit);
-    }
-  }
+Resimulation::Result Resimulation::finish() {
   if (!session_) reject("it holds no whole paper to begin with, which ~edits is sent first");
-  // compare() erases the states that it has seen, so none is iterated over meanwhile.
-  std::uint64_t last = session_->steps();
-  for (const auto& [moment, states] : states_) {
-    if (moment.first == session_->edits()) last = std::max(last, moment.second);
+  for (; !edits_.empty(); edits_.pop_front()) make(*edits_.front());
+  advance();
+  if (!states_.empty()) {
+    reject("edits ", session_->edits() + 1, " to ", states_.back()->edits, " are missing");
   }
-  advanceTo(last);
   result_.duration = session_->time() - start_time_;
-  for (const auto& [moment, states] : states_) result_.skipped += states.size();
   return result_;
 }
 
-void Resimulation::start(const msg::Edit& edit) {
-  if (!carriesPaper(edit)) return;
-  session_ = paperFrom(edit);
-  start_time_ = session_->time();
-  compare();
+/// An edit waits for a state after it, so that every state before it has come.
+void Resimulation::advance() {
+  while (!states_.empty()) {
+    const msg::SheetState& state = *states_.front();
+    if (state.edits > session_->edits()) {
+      if (edits_.empty() && states_.size() > kMostWaiting) {
+        reject("edits ", session_->edits() + 1, " to ", state.edits, " are missing");
+      }
+      if (edits_.empty()) return;
+      make(*edits_.front());
+      edits_.pop_front();
+      continue;
+    }
+    if (state.edits < session_->edits() || state.step < session_->steps()) {
+      ++result_.skipped;
+    } else {
+      advanceTo(state.step);
+      compare(state);
+    }
+    states_.pop_front();
+  }
 }
 
 void Resimulation::make(const msg::Edit& edit) {
@@ -74,40 +103,31 @@ void Resimulation::make(const msg::Edit& edit) {
     session_ = paperFrom(edit);
   } else {
     try {
-      session_->simulation().redo(editRecord(edit));
+      session_->apply(editFrom(edit));
     } catch (const std::invalid_argument& error) {
       reject("edit ", edit.number, " (", edit.kind, ") cannot be made again: ", error.what());
     }
-    session_->takeEdits();  // counts it
   }
   if (session_->edits() != edit.number || session_->revision() != edit.revision) {
     reject("edit ", edit.number, " (", edit.kind, ") made another sheet than it once did");
   }
   ++result_.edits;
-  compare();
 }
 
 void Resimulation::advanceTo(std::uint64_t step) {
   while (session_->steps() < step) {
-    const StepReport report = session_->simulation().step();
+    const StepReport report = session_->step();
     if (!report.converged) reject("step ", session_->steps() + 1, " fails: ", report.failure);
-    compare();
   }
 }
 
-/// With what was recorded at this moment, which is then done with.
-void Resimulation::compare() {
-  const auto recorded = states_.find({session_->edits(), session_->steps()});
-  if (recorded == states_.end()) return;
-  const msg::SheetState now = stateMessage(*session_, {});
-  for (const msg::SheetState& then : recorded->second) {
-    const double distance = difference(now, then);
-    ++result_.states;
-    if (distance == 0 && sameAngles(now, then)) continue;
-    if (result_.different++ == 0) result_.first = session_->time();
-    result_.largest = std::max(result_.largest, distance);
-  }
-  states_.erase(recorded);
+void Resimulation::compare(const msg::SheetState& then) {
+  const msg::SheetState now = stateMessage(*session_, then.paused, {});
+  const double distance = difference(now, then);
+  ++result_.states;
+  if (distance == 0 && sameAngles(now, then)) return;
+  if (result_.different++ == 0) result_.first = session_->time();
+  result_.largest = std::max(result_.largest, distance);
 }
 
 }  // namespace shell_origami
