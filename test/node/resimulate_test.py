@@ -16,8 +16,7 @@ import rospy
 import rostest
 
 from moving_frame import MovingFrame
-from origami_client import NodeTest, Recorder, line
-from shell_origami.msg import Edit
+from origami_client import NodeTest, line
 
 TOPICS = ['/origami/sheet', '/origami/state', '/origami/edits']
 SIDE = 0.15
@@ -137,22 +136,26 @@ class ResimulateTest(NodeTest):
         self.assertEqual(answer.returncode, 2, answer.stdout)
         self.assertIn('holds no paper', answer.stdout)
 
+    def load_square(self, max_edge):
+        recipe = os.path.join(self.folder, 'square.yaml')
+        with open(recipe, 'w') as file:
+            file.write('sheet: {size: [0.15, 0.15], max_edge: %g}\nsteps: []\n' % max_edge)
+        self.origami.do('load', path=recipe)
+
     def bag_at_rest(self, name, paper, state, count):
         """So many states of paper that rests."""
         path = os.path.join(self.folder, name)
         with rosbag.Bag(path, 'w') as bag:
-            bag.write('/origami/edits', paper, rospy.Time(1))
+            bag.write('/origami/edits', paper, rospy.Time(0, 1))
             for i in range(count):
                 state.step = paper.step + i
                 bag.write('/origami/state', state, rospy.Time(1 + i // 30, i % 30 * 33000000))
         return path
 
     def test_a_long_bag_takes_no_more_memory_than_a_short_one(self):
-        recipe = os.path.join(self.folder, 'large.yaml')
-        with open(recipe, 'w') as file:
-            file.write('sheet: {size: [0.15, 0.15], max_edge: 0.0025}\nsteps: []\n')
-        self.origami.do('load', path=recipe)
-        paper = Recorder('/origami/edits', Edit).wait(lambda edit: edit.kind == 'paper')
+        self.load_square(0.0025)
+        self.addCleanup(self.load_square, 0.02)
+        paper = self.origami.last_edit('load')
         state = self.origami.state()
         self.assertGreater(len(state.positions), 4000)
         counts, peaks = (20, 2500), []
