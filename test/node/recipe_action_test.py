@@ -194,6 +194,19 @@ class RecipeActionTest(NodeTest):
         self.assertAlmostEqual(self.middle().angle, crease.rest_angle, delta=0.1)
         self.assertEnds(Goal(self.client, yaml=QUICK), GoalStatus.SUCCEEDED)
 
+    def test_paper_that_settles_at_once_is_where_the_next_step_begins(self):
+        settled = '  - settle: {quasi_static: true, timeout: 0}\n'
+        since = len(self.origami.edits.all())
+        goal = Goal(self.client, yaml=SHEET + 'steps:\n' + PIN + FOLD % (90, 0.1) + settled +
+                    '  - unpin: all\n')
+        status, text = goal.wait()
+        self.assertEqual(status, GoalStatus.SUCCEEDED, text)
+        self.origami.state()
+        edits = [edit.kind for edit in self.origami.edits.all()[since:]]
+        self.assertEqual(edits, ['load', 'pin', 'fold', 'settle', 'unpin'])
+        angle = goal.handle.get_result().creases[0].angle
+        self.assertAlmostEqual(angle, math.pi / 2, delta=1e-3)
+
     def test_a_second_goal_is_rejected(self):
         first = Goal(self.client, recipe=written('long.yaml', LONG))
         first.wait_for_progress(0.001)

@@ -351,6 +351,48 @@ TEST(Simulation, APiecePartOfACreaseKeepsItsRamp) {
   }
 }
 
+/// A crease that cannot fold, for the paper beside it is held flat.
+Simulation heldFlat(const SimulationConfig& config) {
+  Simulation simulation = square(config);
+  simulation.pin(Region{{{0, 0}, {0.06, 0}, {0.06, kSide}, {0, kSide}}});
+  simulation.pin(Region{{{0.09, 0}, {kSide, 0}, {kSide, kSide}, {0.09, kSide}}});
+  FoldEdit fold;
+  fold.where = Segment{Vector2(0.075, 0), Vector2(0.075, kSide)};
+  fold.angle = 1;
+  fold.duration = 0;
+  simulation.fold(fold);
+  return simulation;
+}
+
+TEST(Simulation, SettlingYieldsInelasticPaper) {
+  SimulationConfig config;
+  Simulation elastic = heldFlat(config);
+  config.material.yield_curvature = 20;
+  Simulation inelastic = heldFlat(config);
+  elastic.settle();
+  inelastic.settle();
+  EXPECT_DOUBLE_EQ(elastic.creases()[0].rest_angle, 1);
+  const double most = config.material.bendingStiffness() * config.material.yield_curvature;
+  EXPECT_LT(inelastic.creases()[0].rest_angle, 0.9);
+  EXPECT_LE(std::abs(inelastic.creases()[0].moment), most * (1 + 1e-9));
+}
+
+TEST(Simulation, AnInterruptedSettleChangesNothing) {
+  SimulationConfig config;
+  config.material.yield_curvature = 20;
+  Simulation interrupted = heldFlat(config), untouched = heldFlat(config);
+  int rounds = 0;
+  interrupted.setInterrupt([&rounds] { return ++rounds == 5; });
+  EXPECT_THROW(interrupted.settle(), std::invalid_argument);
+  EXPECT_EQ(rounds, 5);
+  interrupted.setInterrupt(nullptr);
+  for (Simulation* simulation : {&interrupted, &untouched}) {
+    for (int i = 0; i < 20; ++i) ASSERT_TRUE(simulation->step().converged);
+  }
+  EXPECT_EQ(interrupted.positions(), untouched.positions());
+  EXPECT_EQ(interrupted.creases()[0].rest_angle, untouched.creases()[0].rest_angle);
+}
+
 TEST(Simulation, ARecordHoldsWhatTheEditMeantAndDid) {
   Simulation simulation = square();
   const int corner = simulation.sheet().nearestVertex({kSide, kSide});
