@@ -73,6 +73,14 @@ class LoadTest(NodeTest):
         self.assertGreater(loaded.triangles, 2)
         self.assertExtent(0.12, 0.12)
 
+    def test_a_path_may_begin_at_home(self):
+        name = os.path.basename(tempfile.mkdtemp(dir=os.path.expanduser('~')))
+        folder = os.path.join(os.path.expanduser('~'), name)
+        self.addCleanup(shutil.rmtree, folder)
+        self.origami.do('save', path='~/%s/paper.fold' % name)
+        self.assertEqual(os.listdir(folder), ['paper.fold'])
+        self.origami.do('load', path='~/%s/paper.fold' % name)
+
     def test_reset_gives_the_loaded_paper(self):
         loaded = self.origami.do('load', path=self.recipe)
         self.origami.do('fold', line=line(0.05, 0, 0.05, 0.05), angle=1)

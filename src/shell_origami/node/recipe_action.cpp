@@ -1,6 +1,7 @@
 #include <shell_origami/node/recipe_action.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/base/files.h>
 #include <shell_origami/node/conversions.h>
 #include <shell_origami/node/message_text.h>
 
@@ -56,7 +57,7 @@ void RecipeAction::receive(Goal goal) {
     }
     const msg::FoldRecipeGoal& wanted = *goal.getGoal();
     requireOne({{"recipe", !wanted.recipe.empty()}, {"yaml", !wanted.yaml.empty()}});
-    const std::string path = wanted.recipe.empty() ? "" : findRecipe(wanted.recipe);
+    const std::string path = wanted.recipe.empty() ? "" : findRecipe(expandedPath(wanted.recipe));
     origami_.startRecipe(recipeOf(wanted, path, origami_.config()), path,
                          [this](const RecipeRun& run, const std::string& why) { ended(run, why); });
     goal.setAccepted();

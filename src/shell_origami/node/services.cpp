@@ -1,6 +1,7 @@
 #include <shell_origami/node/services.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/base/files.h>
 #include <shell_origami/node/conversions.h>
 #include <shell_origami/node/message_text.h>
 #include <shell_origami/node/tf_utilities.h>
@@ -58,7 +59,7 @@ std::string restAngle(double angle) {
 /// directory, which messages then show.
 std::string filePath(const std::string& path) {
   if (path.empty()) reject("path is empty");
-  return std::filesystem::absolute(path).string();
+  return std::filesystem::absolute(expandedPath(path)).string();
 }
 
 }  // namespace
