@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 #include <string>
+#include <utility>
 
 namespace shell_origami {
 namespace {
@@ -65,7 +65,7 @@ geometry_msgs::TransformStamped frame(const Eigen::Isometry3d& pose, const std::
 std::vector<Panel> findPanels(const Sheet& sheet) {
   const std::vector<int> panel_of = panelOfTriangle(sheet);
   const std::size_t count = *std::max_element(panel_of.begin(), panel_of.end()) + 1;
-  std::vector<std::set<int>> vertices(count);
+  std::vector<std::vector<int>> vertices(count);
   std::vector<double> area(count, 0);
   std::vector<Vector2> moment(count, Vector2::Zero());
   for (std::size_t t = 0; t < panel_of.size(); ++t) {
@@ -74,13 +74,16 @@ std::vector<Panel> findPanels(const Sheet& sheet) {
     const Vector2& b = sheet.flatPositions()[corners[1]];
     const Vector2& c = sheet.flatPositions()[corners[2]];
     const double weight = doubleArea(a, b, c);
-    vertices[panel_of[t]].insert(corners.begin(), corners.end());
+    auto& of_panel = vertices[panel_of[t]];
+    of_panel.insert(of_panel.end(), corners.begin(), corners.end());
     area[panel_of[t]] += weight;
     moment[panel_of[t]] += weight * (a + b + c) / 3;
   }
   std::vector<Panel> panels;
   for (std::size_t i = 0; i < count; ++i) {
-    panels.push_back({{vertices[i].begin(), vertices[i].end()}, moment[i] / area[i]});
+    std::sort(vertices[i].begin(), vertices[i].end());
+    vertices[i].erase(std::unique(vertices[i].begin(), vertices[i].end()), vertices[i].end());
+    panels.push_back({std::move(vertices[i]), moment[i] / area[i]});
   }
   return panels;
 }

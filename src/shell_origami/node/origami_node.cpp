@@ -82,7 +82,10 @@ void OrigamiNode::spin() {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(publishDue() ? 0 : wait));
     if (waiting_ && publishers_.recorded()) startRecorded();
     forgetEnded();
-    if (loading_) continueLoading();
+    if (loading_ && loading_->done()) {
+      finishLoading();
+      continue;  // and what was asked meanwhile is answered before large paper is published
+    }
     if (settling_) continueSettling();
     else if (stepping_) continueStepping();
     else if (!run_.paused && untilNextStep() <= 0) advance();
@@ -319,8 +322,7 @@ std::future<msg::Load::Response> OrigamiNode::load(const std::string& path, doub
   return loading_->answer.get_future();
 }
 
-void OrigamiNode::continueLoading() {
-  if (!loading_->done()) return;
+void OrigamiNode::finishLoading() {
   const std::unique_ptr<LongLoad> ended = std::move(loading_);
   try {
     replacePaper(ended->finish(), ended->path());
@@ -358,13 +360,19 @@ void OrigamiNode::onEdit(const EditRecord& record) {
 void OrigamiNode::onLoad(const std::string& path) {
   clock_->hold(run_.session.time());  // it may have taken long
   step_ = {};
-  publishers_.publishEdit(paperMessage(run_.session, msg::Edit::LOAD, path), stamp());
-  changed_ = true;
+  publishPaper(msg::Edit::LOAD, path);
 }
 
 void OrigamiNode::onReset() {
   step_ = {};
-  publishers_.publishEdit(paperMessage(run_.session, msg::Edit::RESET), stamp());
+  publishPaper(msg::Edit::RESET);
+}
+
+void OrigamiNode::publishPaper(const std::string& kind, const std::string& path) {
+  // A whole paper is a large message. Who listens later is sent it then.
+  if (publishers_.editsHeard()) {
+    publishers_.publishEdit(paperMessage(run_.session, kind, path), stamp());
+  }
   changed_ = true;
 }
 

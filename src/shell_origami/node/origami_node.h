@@ -84,6 +84,7 @@ class OrigamiNode : private SessionListener {
   void onEdit(const EditRecord& record) override;
   void onLoad(const std::string& path) override;
   void onReset() override;
+  void publishPaper(const std::string& kind, const std::string& path = "");
   msg::Edit wholePaper();
   void keepCheckpoint(bool now = false);
   bool applyOfRecipe(const Edit& edit);
@@ -95,7 +96,7 @@ class OrigamiNode : private SessionListener {
   void requireNothingLong() const;
   void continueStepping();
   void continueSettling();
-  void continueLoading();
+  void finishLoading();
   void requireFewEnding() const;
   void forgetEnded();
   void endLongRequests(const std::string& why);

@@ -28,6 +28,7 @@ class Publishers {
                const ros::Time& stamp);
 
   void publishEdit(msg::Edit edit, const ros::Time& stamp);
+  bool editsHeard() const { return edit_.getNumSubscribers() > 0; }
 
   void showVertexIds(bool shown) { painter_.showVertexIds(shown); }
 
