@@ -41,3 +41,46 @@ name_this_host() {
 free_port() {
   python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
+
+# Passes lines on, except those of progress, "[ 43%] what is being done": on a terminal each of them
+# overwrites the one before, in a log one in ten percent is kept. The rest goes to stderr.
+show_progress() {
+  local line percent last=-10 columns
+  columns=$(tput cols 2>/dev/null || echo 80)
+  while IFS= read -r line; do
+    if [[ ! $line =~ ^\[\ *([0-9]+)%\]\ (.*) ]]; then
+      if [[ -t 1 ]]; then printf '\r\033[K'; fi
+      echo "$line" >&2
+      continue
+    fi
+    percent=${BASH_REMATCH[1]}
+    printf -v line '[%3d %%] %s' "$percent" "${BASH_REMATCH[2]}"
+    if [[ -t 1 ]]; then
+      printf '\r\033[K%s' "${line:0:columns-1}"
+    elif ((percent >= last + 10 || percent < last)); then
+      echo "$line"
+      last=$percent
+    fi
+  done
+  if [[ -t 1 ]]; then printf '\r\033[K'; fi
+}
+
+# configure FOLDER OPTION...: CMake's own words are shown only when it fails.
+configure() {
+  mkdir -p "$1"
+  if ! cmake -S "$root" -B "$1" "${@:2}" >"$1/configure.log" 2>&1; then
+    cat "$1/configure.log" >&2
+    die "cmake cannot configure the build"
+  fi
+}
+
+# build FOLDER TARGET...
+build() {
+  # [ 43%] Building CXX object CMakeFiles/TARGET.dir/src/shell_origami/mesh/cuts.cpp.o
+  make -C "$1" --no-print-directory -j"$(nproc)" "${@:2}" 2>&1 |
+    sed -uE -e '/Built target|^Scanning dependencies|^Consolidate compiler generated/d' \
+      -e '/^Generating reconfiguration files|^Wrote header file/d' \
+      -e 's#(%\] )Building CXX object (.*/)?CMakeFiles/([^/]*)\.dir/(src/shell_origami/)?(.*)\.(o|gch)$#\1building \3: \5#' \
+      -e 's/(%\] )Linking CXX [a-z ]* (.*\/)?/\1linking /' |
+    show_progress
+}
