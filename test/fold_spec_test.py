@@ -213,7 +213,10 @@ class FoldSpecTest(unittest.TestCase):
     def test_a_pattern_that_nobody_folded(self):
         final, frames = self.fold('miura', '--set', 'steps=[]')
         self.check_run(final, frames)
-        self.assertEqual(collections.Counter(final['edges_assignment'])['U'], 120)
+        # The pattern keeps what it asks for; the form shows that nothing was folded.
+        kinds = collections.Counter(final['edges_assignment'])
+        self.assertEqual((kinds['M'] > 0, kinds['V'] > 0, kinds['M'] + kinds['V']), (True, True, 120))
+        self.assertEqual(collections.Counter(frames_of(final)[1]['edges_assignment'])['U'], 120)
 
     def test_the_patterns_of_recipes(self):
         paths = glob.glob(os.path.join(RECIPES, 'patterns', '*.fold'))
@@ -221,6 +224,74 @@ class FoldSpecTest(unittest.TestCase):
         for path in paths:
             with self.subTest(pattern=os.path.basename(path)):
                 self.check_file(self.load(path))
+
+
+class BatchTest(unittest.TestCase):
+    """What origami_batch answers when it cannot fold a recipe to its end."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.out = os.path.join(self.folder, 'out')
+
+    def batch(self, recipe, *options, **files):
+        for name, text in dict(files, recipe=recipe).items():
+            suffix = '.yaml' if name == 'recipe' else '.fold'
+            with open(os.path.join(self.folder, name + suffix), 'w') as handle:
+                handle.write(text)
+        return subprocess.run([os.environ['ORIGAMI_BATCH'], os.path.join(self.folder, 'recipe.yaml'),
+                               '--out', self.out, *options], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, universal_newlines=True)
+
+    def report(self):
+        with open(os.path.join(self.out, 'report.json')) as handle:
+            return json.load(handle)
+
+    def check_everything_is_written(self):
+        self.assertEqual(sorted(os.listdir(self.out)),
+                         ['final.fold', 'final.obj', 'frames.fold', 'report.json'])
+
+    def test_a_step_that_fails_leaves_the_paper_as_it_was_then(self):
+        run = self.batch('sheet: {size: [0.1, 0.1], max_edge: 0.02}\n'
+                         'solver: {tolerance: 1.0e-15, max_iterations: 1}\n'
+                         'steps:\n'
+                         '  - fold: [{line: [[0, 0.03], [0.1, 0.06]], angle_deg: 90}]\n')
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn('ended early, in step 1 of 1', run.stderr)
+        self.check_everything_is_written()
+        self.assertIn('did not converge', self.report()['failure'])
+
+    def test_an_edit_that_is_rejected_leaves_the_paper_as_it_was_then(self):
+        run = self.batch('sheet: {size: [0.1, 0.1], max_edge: 0.05}\n'
+                         'steps:\n'
+                         '  - fold: [{line: [[0, 0.05], [0.1, 0.05]], angle_deg: 20}]\n'
+                         '    duration: 0.1\n'
+                         '  - fold: [{crease: nowhere, angle_deg: 20}]\n')
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn('step 2 of 2', run.stderr)
+        self.check_everything_is_written()
+        self.assertIn('nowhere', self.report()['failure'])
+        self.assertGreater(self.report()['steps'], 0)
+
+    def test_a_settle_step_that_times_out_is_reported(self):
+        run = self.batch('sheet: {size: [0.1, 0.1], max_edge: 0.05}\n'
+                         'steps:\n'
+                         '  - fold: [{line: [[0, 0.05], [0.1, 0.05]], angle_deg: 20}]\n'
+                         '    duration: 0\n'
+                         '  - settle: {timeout: 0.02}\n')
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn('step 2: the paper had not settled after 0.02 s', run.stderr)
+        self.assertEqual(self.report()['timeouts'], [2])
+        self.assertIsNone(self.report()['failure'])
+
+    def test_nested_lists_are_rejected(self):
+        for text in ('[' * 200000, '{"vertices_coords": ' + '[' * 200000 + ']' * 200000 + '}',
+                     '{"a":' * 100000):
+            run = self.batch('sheet: {pattern: deep.fold, scale: 1}', deep=text)
+            self.assertEqual(run.returncode, 1, run.stderr)
+            self.assertIn('deep.fold: its lists and objects nest deeper than 100 levels', run.stderr)
+            self.assertFalse(os.path.exists(self.out))
 
 
 if __name__ == '__main__':

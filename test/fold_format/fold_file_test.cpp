@@ -1,4 +1,7 @@
+#include <shell_origami/fold_format/crease_pattern.h>
 #include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/origami/report.h>
+#include <shell_origami/sheet/fold_line.h>
 #include "test/fold_format/fold_samples.h"
 
 #include <gtest/gtest.h>
@@ -375,6 +378,99 @@ TEST(WriteFold, damagedNotesAreRefused) {
   expectWithin(damaged("/shell_origami:creases/0/id", 4294967295u), "has id 4294967295");
   expectWithin(damaged("/shell_origami:creases/0/name", 5), "has name 5");
   expectWithin(damaged("/shell_origami:creases/1/rest_angle_deg", "x"), "is \"x\", not a number");
+}
+
+TEST(WriteFold, keepsWhatThePatternAsksOfCreasesThatNoFoldHasDriven) {
+  const FoldPaper paper = readFold(patternPath("34_os-birdBase"), {0.15, 0.02});
+  const Simulation simulation(paper.sheet, {});
+  const json document = foldDocument(simulation, "unfolded");
+  const FoldPaper again = readFold(scratch(document.dump()), {0, 0.02});
+  const std::vector<double> before = patternAngles(paper), after = patternAngles(again);
+  ASSERT_EQ(before.size(), after.size());
+  int mountains = 0, valleys = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(std::isnan(before[i]), std::isnan(after[i]));
+    if (std::isfinite(before[i])) {
+      EXPECT_NEAR(before[i], after[i], 1e-15);
+    }
+    mountains += before[i] < 0;
+    valleys += before[i] > 0;
+    EXPECT_TRUE(std::isnan(again.rest_angles.at(i))) << "no fold has driven it";
+  }
+  EXPECT_GT(mountains, 0);
+  EXPECT_GT(valleys, 0);
+  const json& kinds = document["edges_assignment"];
+  EXPECT_GT(std::count(kinds.begin(), kinds.end(), "M"), 0);
+  EXPECT_GT(std::count(kinds.begin(), kinds.end(), "V"), 0);
+  Simulation reloaded(again.sheet, {}, *again.positions, again.rest_angles);
+  for (const char* group : {"mountains", "valleys", "all"}) {
+    FoldRequest fold;
+    fold.where = CreaseName{group};
+    fold.angle = 0.1;
+    EXPECT_FALSE(reloaded.fold(fold).crease_ids.empty()) << group;
+  }
+}
+
+TEST(WriteFold, aPatternThatWasFoldedStillAsksForItsAngles) {
+  json document = diagonal();
+  document["edges_foldAngle"] = {0, 0, 0, 0, 180};
+  const FoldPaper paper = read(document);
+  const json written = writeFold(paper.sheet, {{0.5, 0.6}}, flatInSpace(paper.sheet), "");
+  const FoldPaper again = read(written);
+  EXPECT_NEAR(again.sheet.creases()[0].pattern_angle, M_PI, 1e-15);
+  EXPECT_NEAR(again.rest_angles.at(0), 0.6, 1e-15);
+}
+
+TEST(ReadFold, aFileOfOurOwnKeepsItsTriangles) {
+  Sheet sheet(triangulateRectangle(0.15, 0.15, 0.01));
+  const auto round_trip = [&](double max_edge) {
+    const json document =
+        writeFold(sheet, std::vector<FoldCrease>(sheet.creases().size()), flatInSpace(sheet), "");
+    return readFold(scratch(document.dump()), {0, max_edge}).sheet;
+  };
+  for (int edit = 0; edit < 2; ++edit) {
+    const Sheet again = round_trip(0.01);
+    EXPECT_EQ(again.flatPositions(), sheet.flatPositions());
+    EXPECT_EQ(again.triangles(), sheet.triangles());
+    makeFoldLine(sheet, {Vector2(0, 0.04), Vector2(0.15, 0.11)});
+  }
+  EXPECT_GT(round_trip(0.005).vertexCount(), 2 * sheet.vertexCount());
+}
+
+TEST(ReadFold, verticesThatCoincideByWayOfAnotherAreOne) {
+  // The extent is 1: points closer than 1e-9 coincide. The first and the third do not, but both
+  // coincide with the second.
+  const std::vector<Vector2> points{{1.4e-9, 0}, {0.7e-9, 0}, {0, 0}, {1, 1}};
+  EXPECT_EQ(mergeCoincident(points), (std::vector<int>{0, 0, 0, 3}));
+  EXPECT_EQ(mergeCoincident({points[2], points[0], points[1], points[3]}),
+            (std::vector<int>{0, 0, 0, 3}));
+  EXPECT_EQ(mergeCoincident({points[1], points[0], points[2], points[3]}),
+            (std::vector<int>{0, 0, 0, 3}));
+}
+
+TEST(ReadFold, aFormThatIsFoldedFlatIsNoPattern) {
+  expectWithin(fileRefusal(patternPath("02_diagonal-folded")),
+               "holds only a form that is folded flat, and no crease pattern to fold it from");
+  json document = json::parse(std::ifstream(patternPath("02_diagonal-folded")));
+  document.erase("faces_vertices");
+  EXPECT_NE(refusal(document), "");
+  document.erase("frame_classes");
+  EXPECT_NE(refusal(document), "");
+}
+
+TEST(ReadFold, creasesMayNotBeNamedAsGroupsAre) {
+  Sheet sheet(triangulateRectangle(1, 1, 0.5));
+  makeFoldLine(sheet, {Vector2(0, 0), Vector2(1, 1)}, "spine");
+  json document = writeFold(sheet, {{}}, flatInSpace(sheet), "");
+  for (const std::string& name : {std::string("all"), std::string("mountains"),
+                                  std::string("valleys"), std::string(), std::string(101, 'x')}) {
+    document["shell_origami:creases"][0]["name"] = name;
+    expectWithin(refusal(document), "crease");
+    if (name.empty()) continue;  // asks for a name to be made up
+    EXPECT_THROW(makeFoldLine(sheet, {Vector2(0, 1), Vector2(1, 0)}, name), std::invalid_argument);
+  }
+  document["shell_origami:creases"][0]["name"] = "alls";
+  EXPECT_EQ(refusal(document), "");
 }
 
 }  // namespace

@@ -8,16 +8,17 @@ namespace shell_origami {
 namespace {
 
 TEST(ReadFold, refusesWhatIsNoPattern) {
-  expectWithin(fileRefusal("/nowhere/x.fold"), "/nowhere/x.fold: cannot be read: No such file");
+  expectWithin(fileRefusal("/nowhere/x.fold"),
+               "/nowhere/x.fold: cannot be read: there is no such file");
   expectWithin(fileRefusal("/tmp"), "folder");
-  expectWithin(fileRefusal("/dev/zero"), "no plain file");
+  expectWithin(fileRefusal("/dev/zero"), "not a regular file");
   expectWithin(fileRefusal(scratch("{\"a\": 1,\n\n \"b\": nope}")), "is not JSON from line 3");
   expectWithin(fileRefusal(scratch("")), "is not JSON from line 1");
   expectWithin(fileRefusal(scratch("{\"a\": 1e999}")), "is not JSON that can be read");
   expectWithin(fileRefusal(scratch("{\"a\": NaN}")), "is not JSON");
   expectWithin(fileRefusal(scratch("[1, 2]")), "no object");
   expectWithin(fileRefusal(scratch("{}")), "holds no vertices_coords");
-  expectWithin(fileRefusal(scratch(std::string(100000, '['))), "is not JSON");
+  expectWithin(fileRefusal(scratch(std::string(200000, '['))), "nest deeper than 100");
 }
 
 TEST(ReadFold, namesTheEntryThatIsWrong) {
@@ -26,7 +27,7 @@ TEST(ReadFold, namesTheEntryThatIsWrong) {
     json value;
     const char* sentence;
   } cases[] = {
-      {"/vertices_coords/2", {1}, "vertices_coords[2] is [1], not two or three numbers"},
+      {"/vertices_coords/2", {1}, "vertices_coords[2] is a list of 1, not two or three numbers"},
       {"/vertices_coords/2/0", nullptr, "vertices_coords[2] is null, not a number"},
       {"/vertices_coords/2/0", 1e300, "vertices_coords[2]"},
       {"/vertices_coords", 7, "vertices_coords is no list"},
@@ -35,7 +36,7 @@ TEST(ReadFold, namesTheEntryThatIsWrong) {
       {"/edges_vertices/4", {0, 1.5}, "edges_vertices[4] holds 1.5, not a vertex"},
       {"/edges_vertices/4", {0, 4294967296}, "edges_vertices[4] names vertex 4294967296"},
       {"/edges_vertices/4", {0, 18446744073709551615u}, "names vertex 18446744073709551615"},
-      {"/edges_vertices/4", {0}, "edges_vertices[4] is [0], not a pair"},
+      {"/edges_vertices/4", {0}, "edges_vertices[4] is a list of 1, not a pair"},
       {"/edges_vertices/4", {2, 2}, "edges_vertices[4] has no length"},
       {"/edges_vertices/4", {0, 1}, "edges_vertices[0] and edges_vertices[4] join the same"},
       {"/edges_assignment/4", "X", "edges_assignment[4] is \"X\", not one of"},

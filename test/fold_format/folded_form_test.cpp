@@ -135,5 +135,56 @@ TEST(FoldedForm, thatIsFoldedFlatIsNoPlaceToStartFromAtAnyFineness) {
   for (const double max_edge : {0.0, 0.01}) EXPECT_FALSE(read(document, 0, max_edge).positions);
 }
 
+TEST(FoldedForm, atAnotherScaleIsBroughtToThePatterns) {
+  json document = pleats();
+  const Positions expected = *read(document, 0, 0).positions;
+  for (json& point : document["file_frames"][0]["vertices_coords"]) {
+    for (json& coordinate : point) coordinate = 1.42 * coordinate.get<double>();
+  }
+  for (const double max_edge : {0.0, 0.01}) {
+    const FoldPaper paper = read(document, 0, max_edge);
+    ASSERT_TRUE(paper.positions);
+    EXPECT_LT(largestStrain(paper), 1e-9);
+    EXPECT_NEAR(paper.rest_angles.at(1), M_PI / 3, 1e-6);
+    if (max_edge > 0) continue;
+    EXPECT_LT((*paper.positions - expected).norm(), 1e-12);
+  }
+}
+
+TEST(FoldedForm, ofAnotherPatternIsPassedOver) {
+  // A second pattern with a folded form of its own, nested below it: child of a child.
+  json document = pleats();
+  const json other_form = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
+  json& frames = document["file_frames"];
+  frames.push_back({{"frame_classes", {"creasePattern"}},
+                    {"vertices_coords", {{0, 0}, {1, 0}, {0, 1}}},
+                    {"edges_vertices", {{0, 1}, {1, 2}, {2, 0}}},
+                    {"faces_vertices", {{0, 1, 2}}}});
+  frames.push_back({{"frame_parent", 2},
+                    {"frame_inherit", true},
+                    {"frame_classes", {"foldedForm"}},
+                    {"vertices_coords", other_form}});
+  frames.push_back({{"frame_parent", 3},
+                    {"frame_inherit", true},
+                    {"frame_classes", {"foldedForm"}},
+                    {"vertices_coords", other_form}});
+  const FoldPaper paper = read(document, 0, 0);
+  ASSERT_TRUE(paper.positions);
+  EXPECT_NEAR(paper.rest_angles.at(1), M_PI / 3, 1e-6);
+  document["file_frames"].erase(0);
+  document["file_frames"][1]["frame_parent"] = 1;
+  document["file_frames"][2]["frame_parent"] = 2;
+  EXPECT_FALSE(read(document, 0, 0).positions);
+}
+
+TEST(FoldedForm, isPassedOverWhereTheFlatFormIsAskedFor) {
+  FoldReadOptions options{0, 0, FoldForm::kFlat};
+  json document = pleats();
+  EXPECT_FALSE(readFold(scratch(document.dump()), options).positions);
+  document["file_frames"][0]["vertices_coords"][0] = {100, 0, 0};
+  EXPECT_EQ(fileRefusal(scratch(document.dump()), options), "");
+  expectWithin(fileRefusal(scratch(document.dump()), {0, 0}), "form: flat");
+}
+
 }  // namespace
 }  // namespace shell_origami

@@ -31,7 +31,7 @@ struct Material {
 };
 
 struct Seen {
-  int folds = 0, along_border = 0, unconverged = 0, slivers = 0;
+  int folds = 0, along_border = 0, too_small = 0, unconverged = 0, slivers = 0;
   long points = 0, moved = 0, steps = 0, iterations = 0, retries = 0;
   double farthest = 0;  ///< as a part of the sheet's max_edge
 };
@@ -65,9 +65,11 @@ void foldOneSheet(RandomSheets& random, int most, Seen& seen) {
     try {
       simulation.fold(request);
     } catch (const std::invalid_argument& refusal) {
-      require(std::string(refusal.what()) == "the line runs along the border of the paper",
+      const std::string message = refusal.what();
+      const bool is_too_small = message.find("the shortest possible is") != std::string::npos;
+      require(is_too_small || message == "the line runs along the border of the paper",
               refusal.what());
-      ++seen.along_border;
+      ++(is_too_small ? seen.too_small : seen.along_border);
       continue;
     }
     const Sheet& sheet = simulation.sheet();
@@ -99,12 +101,13 @@ bool fuzzFolds(int folds, unsigned seed) {
     }
   }
   std::printf(
-      "%d folds, %d refused along the border; %ld of %ld points moved, by %.2g of max_edge "
+      "%d folds, %d rejected along the border, %d for an edge too short; %ld of %ld points moved, "
+      "by %.2g of max_edge "
       "at most (bound %.2g); %d angles under 15 degrees; %ld steps, %.1f Newton iterations "
       "each, %ld cut in two, %d did not converge\n",
-      seen.folds, seen.along_border, seen.moved, seen.points, seen.farthest, kMostMoved,
-      seen.slivers, seen.steps, static_cast<double>(seen.iterations) / seen.steps, seen.retries,
-      seen.unconverged);
+      seen.folds, seen.along_border, seen.too_small, seen.moved, seen.points, seen.farthest,
+      kMostMoved, seen.slivers, seen.steps, static_cast<double>(seen.iterations) / seen.steps,
+      seen.retries, seen.unconverged);
   return kept && seen.slivers == 0;
 }
 

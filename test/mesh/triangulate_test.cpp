@@ -1,6 +1,7 @@
 #include <shell_origami/mesh/triangulate.h>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -250,6 +251,24 @@ TEST(Triangulate, refusesWithThePlace) {
   expectWithin(refusal([] { triangulate(square(1), -0.1); }), "max_edge is -0.1");
   expectWithin(refusal([] { triangulate(square(1), 1e-4); }), "million");
   EXPECT_NE(refusal([] { triangulate(PlanarGraph(), 0.1); }), "");
+}
+
+TEST(Triangulate, rejectsAMeshThatTheMemoryIsTooSmallFor) {
+  rlimit before{};
+  getrlimit(RLIMIT_AS, &before);
+  rlimit limit = before;
+  limit.rlim_cur = rlim_t{1200} << 20;
+  setrlimit(RLIMIT_AS, &limit);
+  std::string message;
+  try {
+    triangulateRectangle(0.15, 0.15, 3e-4);
+  } catch (const std::invalid_argument& error) {
+    message = error.what();
+  }
+  EXPECT_NO_THROW(triangulateRectangle(0.15, 0.15, 0.01));
+  setrlimit(RLIMIT_AS, &before);
+  EXPECT_EQ(message.find("max_edge 0.0003 is too small: about 500000 triangles need 4000 MB"), 0u)
+      << message;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Killed, a node goes on from its checkpoint; ended cleanly it loses nothing."""
 
+import json
 import os
 import shutil
 import signal
@@ -53,7 +54,8 @@ class CheckpointTest(unittest.TestCase):
             node.process.wait()
             node.process.stdout.close()
         self.states.subscriber.unregister()
-        for name in ('recipe', 'output', 'paused', 'checkpoint', 'publish_rate', 'sheet'):
+        for name in ('recipe', 'output', 'paused', 'checkpoint', 'publish_rate', 'sheet',
+                     'fold_duration'):
             if rospy.has_param('/origami/' + name):
                 rospy.delete_param('/origami/' + name)
 
@@ -92,6 +94,27 @@ class CheckpointTest(unittest.TestCase):
         self.assertEqual(node.end(signal.SIGTERM), 0)
         self.assertIn('going on from ' + self.file, node.said())
 
+    def test_a_recipe_goes_on_with_the_parameters_it_was_read_with(self):
+        recipe, output = os.path.join(self.folder, 'two.yaml'), os.path.join(self.folder, 'results')
+        with open(recipe, 'w') as file:
+            file.write('sheet: {size: [0.1, 0.05], max_edge: 0.05}\n'
+                       'steps:\n'
+                       '  - fold: [{line: [[0.03, 0], [0.03, 0.05]], angle_deg: 20, name: first}]\n'
+                       '  - fold: [{line: [[0.07, 0], [0.07, 0.05]], angle_deg: 20, name: second}]\n')
+        parameters = [('recipe', recipe), ('output', output), ('fold_duration', '1.5')]
+        node = self.start(*parameters)
+        self.wait_for(lambda s: s.creases and s.creases[0].angle > 0.05)
+        time.sleep(PERIOD)
+        node.end(signal.SIGKILL)
+        self.assertFalse(os.path.exists(os.path.join(output, 'report.json')))
+
+        since = len(self.states.all())
+        node = self.start(*parameters)
+        self.wait_for(lambda s: os.path.exists(os.path.join(output, 'report.json')), since)
+        with open(os.path.join(output, 'report.json')) as file:
+            self.assertAlmostEqual(json.load(file)['sim_time'], 3.0, delta=3 * STEP)
+        self.assertEqual(node.end(signal.SIGTERM), 0)
+
     def test_a_clean_end_loses_nothing(self):
         node = self.start(('paused', 'true'), ('checkpoint/period', '1000'))
         origami = Origami()
@@ -120,7 +143,8 @@ class CheckpointTest(unittest.TestCase):
         node.end(signal.SIGTERM)
         with open(self.file, 'rb') as file:
             whole = file.read()
-        for content in (b'', b'no checkpoint', whole[:len(whole) // 2], b'\xa0'):
+        for content in (b'', b'no checkpoint', whole[:len(whole) // 2], b'\xa0',
+                        b'\x81' * 1000000, b'\x7f' * 1000000):
             with open(self.file, 'wb') as file:
                 file.write(content)
             node = self.start()

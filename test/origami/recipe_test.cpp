@@ -1,8 +1,11 @@
 #include <shell_origami/origami/recipe.h>
+#include <shell_origami/origami/snapshot.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -181,6 +184,70 @@ TEST_F(RecipeTest, RunnerCarriesItOut) {
   ASSERT_EQ(simulation.creases().size(), 1u);
   EXPECT_EQ(simulation.creases()[0].name, "middle");
   EXPECT_NEAR(simulation.creases()[0].rest_angle, M_PI / 2, 1e-12);
+}
+
+TEST_F(RecipeTest, RejectsAKeyThatOccursTwice) {
+  const std::string sentence = refusal("sheet: {size: [0.1, 0.1]}\n\nsheet: {max_edge: 0.02}\n");
+  EXPECT_NE(sentence.find("line 3: the key 'sheet' occurs twice"), std::string::npos) << sentence;
+  EXPECT_NE(refusal("solver: {beta: 0.3, gamma: 0.6, beta: 0.4}").find("'beta' occurs twice"),
+            std::string::npos);
+  // In two maps, or as a value, a word may stand twice.
+  EXPECT_EQ(refusal("steps:\n  - unpin: all\n  - unpin: all\n"), "");
+  EXPECT_EQ(refusal("steps: [{fold: [{line: [[0, 0], [0.1, 0.1]], angle_deg: 1, name: name}]}]"),
+            "");
+}
+
+TEST_F(RecipeTest, RejectsTheNameOfAGroupForACrease) {
+  for (const std::string& name :
+       {std::string("all"), std::string("mountains"), std::string("valleys"), std::string("''"),
+        std::string(101, 'x')}) {
+    const std::string sentence = refusal(
+        "\nsteps: [{fold: [{line: [[0, 0], [0.1, 0.1]], angle_deg: 1, name: " + name + "}]}]");
+    EXPECT_NE(sentence.find("line 2"), std::string::npos) << name << ": " << sentence;
+  }
+}
+
+TEST_F(RecipeTest, NotesASettleStepThatTimesOut) {
+  constexpr const char* kSteps = R"(
+sheet: {size: [0.1, 0.1], max_edge: 0.05}
+steps:
+  - fold: [{line: [[0, 0.05], [0.1, 0.05]], angle_deg: 90}]
+    duration: 0
+  - settle: {timeout: 0.05}
+  - settle: {timeout: 20}
+)";
+  RecipeRunner runner(loadRecipe(write(kSteps)));
+  Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config);
+  std::vector<std::string> warnings;
+  while (runner.update(simulation)) {
+    ASSERT_TRUE(simulation.step().converged);
+    for (const std::string& warning : runner.takeWarnings()) warnings.push_back(warning);
+  }
+  EXPECT_EQ(runner.place().timeouts, std::vector<int>{1});
+  EXPECT_EQ(warnings, std::vector<std::string>{
+                          "step 2: the paper had not settled after 0.05 s, its timeout"});
+}
+
+TEST_F(RecipeTest, ReadAgainWithItsDefaultsIsTheSame) {
+  SimulationConfig defaults;
+  defaults.fold_duration = 3;
+  const Recipe recipe = readRecipe(
+      {"r.yaml", "", "steps: [{fold: [{line: [[0, 0], [0.1, 0.1]], angle_deg: 1}]}]"}, defaults);
+  const Recipe again = readRecipe(recipe.source, configFrom(toJson(recipe.defaults)));
+  EXPECT_EQ(std::get<FoldStep>(recipe.steps[0]).duration, 3);
+  EXPECT_EQ(std::get<FoldStep>(again.steps[0]).duration, 3);
+}
+
+TEST_F(RecipeTest, PassesOverAFoldedFormAndExpandsTheHomeFolder) {
+  const std::string patterns =
+      (std::filesystem::path(__FILE__).parent_path().parent_path() / "data/patterns").string();
+  setenv("HOME", patterns.c_str(), 1);
+  const Recipe recipe =
+      loadRecipe(write("sheet: {pattern: ~/01_diagonal-cp.fold, scale: 0.1, form: flat}"));
+  EXPECT_EQ(recipe.sheet.form, FoldForm::kFlat);
+  EXPECT_EQ(recipe.sheet.pattern, patterns + "/01_diagonal-cp.fold");
+  EXPECT_EQ(makeSimulation(recipe.sheet, recipe.config).creases().size(), 1u);
+  EXPECT_NE(refusal("sheet: {form: crumpled}").find("must be flat or folded"), std::string::npos);
 }
 
 }  // namespace

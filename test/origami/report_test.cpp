@@ -65,7 +65,7 @@ class Report : public testing::Test {
 };
 
 TEST_F(Report, holdsTheFiguresOfTheRun) {
-  const json report = makeReport(simulation_, "half", 1.5);
+  const json report = makeReport(simulation_, {"half", 1.5});
   EXPECT_EQ(report["recipe"], "half");
   EXPECT_EQ(report["triangles"], simulation_.sheet().triangles().size());
   EXPECT_EQ(report["vertices"], simulation_.sheet().vertexCount());
@@ -93,7 +93,7 @@ TEST_F(Report, holdsTheFiguresOfTheRun) {
 
 TEST_F(Report, staysJsonWhateverHappens) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  writeResults(simulation_, "a \xff \"name\"\n", nan, in("odd"));
+  writeResults(simulation_, {"a \xff \"name\"\n", nan}, in("odd"));
   const json report = json::parse(contents(in("odd/report.json")));
   EXPECT_TRUE(report["wall_time"].is_null());
 }
@@ -129,7 +129,7 @@ TEST_F(Report, aFreeCreaseStaysFree) {
                         {std::numeric_limits<double>::quiet_NaN()});
   savePaper(free, in("free.fold"));
   EXPECT_TRUE(std::isnan(readFold(in("free.fold")).rest_angles[0]));
-  EXPECT_TRUE(makeReport(free, "", 0)["creases"][0]["target_deg"].is_null());
+  EXPECT_TRUE(makeReport(free, {})["creases"][0]["target_deg"].is_null());
 }
 
 TEST_F(Report, objHoldsEveryPointAndFace) {
@@ -184,7 +184,7 @@ TEST_F(Report, plyStatesItsCounts) {
 }
 
 TEST_F(Report, resultsGoIntoAFolderThatIsMade) {
-  writeResults(simulation_, "half", 1, in("out/half"));
+  writeResults(simulation_, {"half", 1}, in("out/half"));
   for (const char* name : {"final.fold", "final.obj", "report.json"}) {
     EXPECT_TRUE(fs::exists(folder_ / "out/half" / name)) << name;
   }
@@ -205,10 +205,10 @@ TEST_F(Report, namesPathAndReasonWhenItCannotWrite) {
   EXPECT_EQ(failure([&] { savePaper(simulation_, missing); }),
             "cannot write " + missing + ": No such file or directory");
   fs::create_directory(in("folder.obj"));
-  expectWithin(failure([&] { savePaper(simulation_, in("folder.obj")); }), "no plain file");
-  expectWithin(failure([&] { writeFiles({{"/dev/null", ""}}); }), "no plain file");
+  expectWithin(failure([&] { savePaper(simulation_, in("folder.obj")); }), "not a regular file");
+  expectWithin(failure([&] { writeFiles({{"/dev/null", ""}}); }), "not a regular file");
   writeFiles({{in("file"), ""}});
-  expectWithin(failure([&] { writeResults(simulation_, "", 0, in("file/results")); }),
+  expectWithin(failure([&] { writeResults(simulation_, {}, in("file/results")); }),
                "cannot write " + in("file/results") + ": Not a directory");
 }
 
@@ -232,7 +232,7 @@ TEST_F(Report, aFullDiskLeavesTheOldFile) {
 TEST_F(Report, resultsThatCannotAllBeWrittenLeaveTheOldOnes) {
   writeFiles({{in("final.fold"), "old"}, {in("final.obj"), "old"}});
   fs::create_directory(in("report.json"));
-  expectWithin(failure([&] { writeResults(simulation_, "half", 1, in("")); }), "report.json");
+  expectWithin(failure([&] { writeResults(simulation_, {"half", 1}, in("")); }), "report.json");
   EXPECT_EQ(contents(in("final.fold")), "old");
   EXPECT_EQ(contents(in("final.obj")), "old");
   EXPECT_EQ(filesInFolder(), 3u);  // nothing half-written beside them

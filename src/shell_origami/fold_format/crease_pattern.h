@@ -37,7 +37,7 @@ struct PatternCrease {
   std::uint32_t id;
   std::string name;
   std::vector<int> vertices;
-  double angle;  ///< [rad]; NaN: free
+  double angle;  ///< what the pattern asks of it [rad]; NaN: nothing
 };
 
 /// What a FOLD file says of its flat sheet. Vertices are numbered as in the file until
@@ -81,7 +81,8 @@ void findFlatFrame(const FoldDocument& document, CreasePattern& pattern);
 /// that no edge uses.
 void dropUnused(CreasePattern& pattern, bool keep_flat_edges);
 
-/// The vertex that stands for each: the first of those that coincide.
+/// Returns for each vertex the one that stands for it: the first of those that coincide, also by
+/// way of others between them.
 std::vector<int> mergeCoincident(const std::vector<Vector2>& points);
 
 /// Collects edges, each once.

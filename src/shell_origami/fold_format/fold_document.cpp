@@ -1,14 +1,13 @@
 #include <shell_origami/fold_format/fold_document.h>
 
+#include <shell_origami/base/bounded_json.h>
 #include <shell_origami/base/error.h>
+#include <shell_origami/base/files.h>
+#include <shell_origami/sheet/sheet.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 namespace shell_origami {
@@ -16,58 +15,26 @@ namespace {
 
 using nlohmann::json;
 
-std::string readText(const std::string& path) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::is_directory(status)) reject("cannot be read: it is a folder");
-  // A pipe may never say a word, and /dev/zero never ends.
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    reject("cannot be read: it is no plain file");
-  }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.good() && !file.eof()) {
-    reject("cannot be read: ", errno != 0 ? std::strerror(errno) : "unknown reason");
-  }
-  return text;
-}
-
-json parse(const std::string& text) {
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    const std::size_t byte = std::min<std::size_t>(error.byte, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + byte, '\n');
-    reject("is not JSON from line ", line, " (byte ", error.byte, ") on");
-  } catch (const json::exception&) {
-    reject("is not JSON that can be read: a number is out of range");
-  }
-}
+/// Of a FOLD file. Its JSON takes up to some thirty times as much memory.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
 
 /// Where in the file: key[index].
 std::string place(const std::string& key, std::size_t index) {
   return key + "[" + std::to_string(index) + "]";
 }
 
-/// A value as it stands in the file, cut short when it is long.
-std::string shown(const json& value) {
-  const std::string text = value.dump();
-  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
-}
-
 double readNumber(const json& value, const std::string& where) {
-  if (!value.is_number()) reject(where, " is ", shown(value), ", not a number");
+  if (!value.is_number()) reject(where, " is ", describeJson(value), ", not a number");
   return value.get<double>();
 }
 
 int readVertex(const json& value, int vertex_count, const std::string& where) {
-  if (!value.is_number_integer()) reject(where, " holds ", shown(value), ", not a vertex");
+  if (!value.is_number_integer()) reject(where, " holds ", describeJson(value), ", not a vertex");
   // Beyond 64 bits the parser has made a float of it.
   const bool huge = value.is_number_unsigned() &&
                     value.get<std::uint64_t>() > std::numeric_limits<std::int32_t>::max();
   if (huge || value.get<std::int64_t>() < 0 || value.get<std::int64_t>() >= vertex_count) {
-    reject(where, " names vertex ", shown(value), ", but there are ", vertex_count);
+    reject(where, " names vertex ", describeJson(value), ", but there are ", vertex_count);
   }
   return value.get<int>();
 }
@@ -94,7 +61,7 @@ double readAngle(const json& value, const std::string& where) {
 
 }  // namespace
 
-FoldDocument::FoldDocument(const std::string& path) : root_(parse(readText(path))) {
+FoldDocument::FoldDocument(const std::string& path) : root_(parseJson(readFile(path, kMostBytes))) {
   if (!root_.is_object()) reject("is not a FOLD file: its JSON is no object");
   frames_.push_back(&root_);
   parents_.push_back(-1);
@@ -110,13 +77,32 @@ FoldDocument::FoldDocument(const std::string& path) : root_(parse(readText(path)
     if (inherits && frame.contains("frame_parent")) {
       const json& value = frame["frame_parent"];
       if (!value.is_number_integer() || value < 0 || value >= count) {
-        reject(name, " has frame_parent ", shown(value), ", which is no frame");
+        reject(name, " has frame_parent ", describeJson(value), ", which is no frame");
       }
       parent = value.get<int>();
     }
     frames_.push_back(&frame);
     parents_.push_back(parent);
   }
+}
+
+bool FoldDocument::descendsFrom(int frame, int ancestor) const {
+  for (int steps = 0; frame >= 0 && steps <= frameCount(); ++steps) {
+    if (frame == ancestor) return true;
+    const auto parent = frames_[frame]->find("frame_parent");
+    const bool is_frame =
+        parent != frames_[frame]->end() && parent->is_number_integer() && *parent < frameCount();
+    frame = is_frame ? parent->get<int>() : parents_[frame];
+  }
+  return false;
+}
+
+bool FoldDocument::sharesMesh(int frame, int other) const {
+  for (const char* key : {"edges_vertices", "faces_vertices"}) {
+    const json *mine = find(frame, key), *its = find(other, key);
+    if (mine && its && mine != its && *mine != *its) return false;
+  }
+  return true;
 }
 
 const json* FoldDocument::find(int frame, const char* key) const {
@@ -145,7 +131,7 @@ bool FoldDocument::hasClass(int frame, const char* name) const {
 std::string FoldDocument::unit(int frame) const {
   const json* value = find(frame, "frame_unit");
   if (!value) return "unit";
-  if (!value->is_string()) reject("frame_unit is ", shown(*value), ", not a word");
+  if (!value->is_string()) reject("frame_unit is ", describeJson(*value), ", not a word");
   return value->get<std::string>();
 }
 
@@ -160,12 +146,12 @@ std::vector<Vector3> FoldDocument::points(int frame) const {
   for (const json& item : *list) {
     const std::string where = place("vertices_coords", points.size());
     if (!item.is_array() || item.size() < 2 || item.size() > 3) {
-      reject(where, " is ", shown(item), ", not two or three numbers");
+      reject(where, " is ", describeJson(item), ", not two or three numbers");
     }
     Vector3 p = Vector3::Zero();
     for (std::size_t k = 0; k < item.size(); ++k) p[k] = readNumber(item[k], where);
     if (!(p.cwiseAbs().maxCoeff() < 1e100)) {
-      reject(where, " is ", shown(item), ", far off any paper");
+      reject(where, " has a coordinate of 1e100 or more");
     }
     points.push_back(p);
   }
@@ -178,7 +164,8 @@ std::vector<std::array<int, 2>> FoldDocument::edges(int frame, int vertex_count)
   if (!list) return edges;
   for (const json& item : *list) {
     const std::string where = place("edges_vertices", edges.size());
-    if (!item.is_array() || item.size() != 2) reject(where, " is ", shown(item), ", not a pair");
+    if (!item.is_array() || item.size() != 2)
+      reject(where, " is ", describeJson(item), ", not a pair");
     edges.push_back(
         {readVertex(item[0], vertex_count, where), readVertex(item[1], vertex_count, where)});
   }
@@ -192,7 +179,7 @@ std::string FoldDocument::assignments(int frame, std::size_t edge_count) const {
   for (const json& item : *list) {
     const std::string word = item.is_string() ? item.get<std::string>() : "";
     if (word.size() != 1 || std::strchr("BMVFUCJ", word[0]) == nullptr) {
-      reject(place("edges_assignment", letters.size()), " is ", shown(item),
+      reject(place("edges_assignment", letters.size()), " is ", describeJson(item),
              ", not one of B M V F U C J");
     }
     letters += word;
@@ -238,12 +225,19 @@ std::vector<NotedCrease> FoldDocument::notedCreases(int frame, int vertex_count)
     }
     const json &id = item["id"], &name = item["name"];
     if (!id.is_number_unsigned() || id >= std::numeric_limits<std::uint32_t>::max()) {
-      reject(where, " has id ", shown(id), ", not a number from 0 to 2^32 - 2");
+      reject(where, " has id ", describeJson(id), ", not a number from 0 to 2^32 - 2");
     }
-    if (!name.is_string()) reject(where, " has name ", shown(name), ", not a word");
-    creases.push_back({id.get<std::uint32_t>(), name.get<std::string>(),
+    if (!name.is_string()) reject(where, " has name ", describeJson(name), ", not a word");
+    checkCreaseName(name.get<std::string>());
+    NotedCrease crease{id.get<std::uint32_t>(), name.get<std::string>(),
                        readVertices(item["vertices"], vertex_count, 2, where),
-                       readAngle(item["rest_angle_deg"], where + " rest_angle_deg")});
+                       readAngle(item["rest_angle_deg"], where + " rest_angle_deg")};
+    crease.pattern_angle = crease.rest_angle;
+    const auto asked = item.find("pattern_angle_deg");
+    if (asked != item.end()) {
+      crease.pattern_angle = readAngle(*asked, where + " pattern_angle_deg");
+    }
+    creases.push_back(std::move(crease));
   }
   return creases;
 }

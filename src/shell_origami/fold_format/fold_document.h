@@ -17,7 +17,8 @@ struct NotedCrease {
   std::uint32_t id = 0;
   std::string name;
   std::vector<int> vertices;
-  double rest_angle = 0;  ///< [rad]; NaN: a free crease
+  double rest_angle = 0;     ///< [rad]; NaN: a free crease
+  double pattern_angle = 0;  ///< what is asked of it [rad]; NaN: nothing
 };
 
 /// A FOLD file. Frame 0 is the key frame, frame i > 0 is file_frames[i - 1]; a frame that says
@@ -34,6 +35,10 @@ class FoldDocument {
   /// Whether the frame itself has the key, not only an ancestor.
   bool hasOwn(int frame, const char* key) const { return frames_[frame]->contains(key); }
   bool hasClass(int frame, const char* name) const;
+  /// Whether a frame is another or names it as its parent, directly or by way of others.
+  bool descendsFrom(int frame, int ancestor) const;
+  /// Whether two frames have the same edges and faces, as far as both have any.
+  bool sharesMesh(int frame, int other) const;
   std::string unit(int frame) const;  ///< frame_unit; "unit" where there is none
   static std::string frameName(int frame);
 

@@ -12,18 +12,26 @@
 
 namespace shell_origami {
 
+/// Which of a file's forms the paper takes.
+enum class FoldForm {
+  kFolded,  ///< the last folded form of the pattern, where there is one that is not folded flat
+  kFlat,    ///< flat, as the crease pattern lies
+};
+
 struct FoldReadOptions {
   double scale = 0;  ///< metres per unit of the file; 0: the frame_unit the file states
   /// Longest edge wanted [m]; 0: keep the file's own triangles, or where it has none, add no
-  /// vertices.
+  /// vertices. Files of our own keep their triangles where these are not much larger, too.
   double max_edge = 0;
+  FoldForm form = FoldForm::kFolded;
 };
 
 /// A paper as a FOLD file describes it.
 struct FoldPaper {
   Sheet sheet;
-  /// Where the paper is in space: the file's last folded form, unless it is folded flat (an edge
-  /// beyond 179.9 degrees). Vertices that the file lacks stand at their place in its faces.
+  /// Where the paper is in space: the file's last folded form of this pattern, unless it is folded
+  /// flat (an edge beyond 179.9 degrees). A form drawn at another scale than its pattern is brought
+  /// to the pattern's. Vertices that the file lacks stand at their place in its faces.
   std::optional<Positions> positions;
   /// At which angle each crease rests there [rad]; NaN: a free crease. Empty without positions.
   std::vector<double> rest_angles;
@@ -42,9 +50,10 @@ struct FoldCrease {
   double rest_angle = 0;  ///< [rad]; NaN: a free crease
 };
 
-/// A FOLD document: the flat pattern as its key frame (achieved angles in edges_foldAngle) and
-/// the folded form as a frame that inherits from it. In metres. The sides of a slit are border
-/// edges that lie on each other, with vertices of their own.
+/// A FOLD document: the flat pattern as its key frame and the folded form as a frame that inherits
+/// from it. edges_foldAngle of the key frame holds achieved angles, but of creases that no fold has
+/// driven what their pattern asks for; the folded form then has angles of its own. In metres. The
+/// sides of a slit are border edges that lie on each other, with vertices of their own.
 nlohmann::json writeFold(const Sheet& sheet, const std::vector<FoldCrease>& creases,
                          const Positions& positions, const std::string& title);
 

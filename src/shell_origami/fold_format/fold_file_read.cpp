@@ -2,6 +2,7 @@
 #include <shell_origami/fold_format/fold_file.h>
 #include <shell_origami/fold_format/folded_form.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -27,14 +28,31 @@ double metresPerUnit(const FoldDocument& document, int frame, double scale) {
   return found->second;
 }
 
+/// A paper of our own keeps its triangles where no edge is longer than this many times max_edge:
+/// edge making stretches some edges of a mesh that was made for max_edge.
+constexpr double kKeptStretch = 1.5;
+
+/// The longest edge to cut the pattern for [m]; 0 keeps its triangles.
+double maxEdge(const FoldDocument& document, const CreasePattern& pattern, double wanted) {
+  if (!document.has(pattern.frame, "shell_origami:creases") || !pattern.hasOnlyTriangles()) {
+    return wanted;
+  }
+  double longest = 0;
+  for (const PatternEdge& edge : pattern.edges) {
+    const auto [a, b] = edge.vertices;
+    longest = std::max(longest, (pattern.points[a] - pattern.points[b]).norm());
+  }
+  return longest <= kKeptStretch * wanted ? 0 : wanted;
+}
+
 FoldPaper readDocument(const FoldDocument& document, const FoldReadOptions& options) {
   CreasePattern pattern = readPattern(document);
   const double metres = metresPerUnit(document, pattern.frame, options.scale);
   dropUnused(pattern, true);
   for (Vector2& p : pattern.points) p *= metres;
-  const PatternSheet made = makeSheet(pattern, options.max_edge);
+  const PatternSheet made = makeSheet(pattern, maxEdge(document, pattern, options.max_edge));
   FoldPaper paper{made.sheet, {}, {}};
-  readFoldedForm(document, pattern, metres, made, paper);
+  if (options.form == FoldForm::kFolded) readFoldedForm(document, pattern, metres, made, paper);
   return paper;
 }
 

@@ -13,11 +13,29 @@ double degrees(double radians) { return radians / M_PI * 180; }
 /// JSON has no NaN.
 json orNull(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
 
+/// The fold angle of each crease in the flat pattern: of one that no fold has driven, what its
+/// pattern asks for; of others, the angle they have.
+std::vector<double> patternAngles(const Sheet& sheet, const std::vector<FoldCrease>& creases) {
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < sheet.creases().size(); ++i) {
+    const double asked = sheet.creases()[i].pattern_angle;
+    const bool is_free = std::isnan(creases.at(i).rest_angle);
+    angles.push_back(is_free && std::isfinite(asked) ? asked : creases.at(i).angle);
+  }
+  return angles;
+}
+
+std::vector<double> anglesNow(const std::vector<FoldCrease>& creases) {
+  std::vector<double> angles;
+  for (const FoldCrease& crease : creases) angles.push_back(crease.angle);
+  return angles;
+}
+
 /// Letter and fold angle of each edge.
-void writeFoldAngles(const Sheet& sheet, const std::vector<FoldCrease>& creases, json& frame) {
+void writeFoldAngles(const Sheet& sheet, const std::vector<double>& crease_angles, json& frame) {
   json kinds = json::array(), angles = json::array();
   for (const Edge& edge : sheet.edges()) {
-    const double angle = edge.crease < 0 ? 0 : creases.at(edge.crease).angle;
+    const double angle = edge.crease < 0 ? 0 : crease_angles.at(edge.crease);
     angles.push_back(orNull(degrees(angle)));
     if (edge.onBorder()) {
       kinds.push_back("B");
@@ -46,6 +64,10 @@ json noteCreases(const Sheet& sheet, const std::vector<FoldCrease>& creases) {
                      {"name", crease.name},
                      {"vertices", crease.vertices},
                      {"rest_angle_deg", orNull(degrees(creases.at(i).rest_angle))}});
+    // Without it the rest angle is what a reader asks of the crease.
+    if (!std::isnan(crease.pattern_angle)) {
+      notes.back()["pattern_angle_deg"] = degrees(crease.pattern_angle);
+    }
   }
   return notes;
 }
@@ -82,10 +104,13 @@ json writeFold(const Sheet& sheet, const std::vector<FoldCrease>& creases,
   for (const Vector2& p : sheet.flatPositions()) coordinates.push_back({p.x(), p.y()});
   document["vertices_coords"] = std::move(coordinates);
   writeMesh(sheet, document);
-  writeFoldAngles(sheet, creases, document);
+  const std::vector<double> angles = patternAngles(sheet, creases), now = anglesNow(creases);
+  writeFoldAngles(sheet, angles, document);
   document["shell_origami:creases"] = noteCreases(sheet, creases);
-  document["file_frames"] = json::array({foldedForm(positions)});
-  document["file_frames"][0]["frame_title"] = title.empty() ? "folded" : title + ", folded";
+  json form = foldedForm(positions);
+  if (angles != now) writeFoldAngles(sheet, now, form);
+  form["frame_title"] = title.empty() ? "folded" : title + ", folded";
+  document["file_frames"] = json::array({std::move(form)});
   return document;
 }
 
@@ -99,7 +124,7 @@ json foldedFrame(const Sheet& sheet, const std::vector<FoldCrease>& creases,
     frame["frame_inherit"] = false;
     writeMesh(sheet, frame);
   }
-  writeFoldAngles(sheet, creases, frame);
+  writeFoldAngles(sheet, anglesNow(creases), frame);
   std::ostringstream title;
   title << "t = " << time << " s";
   frame["frame_title"] = title.str();

@@ -14,6 +14,8 @@ namespace {
 
 /// A folded form that stretches an edge by more than this is not one of its pattern.
 constexpr double kMostStretch = 1.25;
+/// Edges that are stretched alike to this part share one scale.
+constexpr double kSameScale = 0.01;
 /// Paper folded beyond this lies on itself: the solver cannot start from there [rad].
 constexpr double kFoldedFlat = 179.9 / 180 * M_PI;
 /// How far off another sheet of the same paper a vertex may lie by rounding, as a part of its size.
@@ -32,22 +34,48 @@ double angleInSpace(const Sheet& sheet, const Positions& positions, const Edge& 
   return std::atan2(right.cross(left).dot(along), left.dot(right));
 }
 
-void checkStretch(const Sheet& sheet, const Positions& positions, const std::string& frame) {
+/// How many times as long as on the flat sheet each edge is in space.
+std::vector<double> stretches(const Sheet& sheet, const Positions& positions) {
+  std::vector<double> values;
   for (const Edge& edge : sheet.edges()) {
     const auto [a, b] = edge.vertices;
-    const double stretch = (positions.col(a) - positions.col(b)).norm() /
-                           (sheet.flatPositions()[a] - sheet.flatPositions()[b]).norm();
+    values.push_back((positions.col(a) - positions.col(b)).norm() /
+                     (sheet.flatPositions()[a] - sheet.flatPositions()[b]).norm());
+  }
+  return values;
+}
+
+void checkStretch(const Sheet& sheet, const Positions& positions, const std::string& frame) {
+  for (const double stretch : stretches(sheet, positions)) {
     if (stretch <= kMostStretch && stretch >= 1 / kMostStretch) continue;
     reject(frame, " is no folded form of the pattern: an edge is ", stretch,
-           " times as long as on the flat sheet");
+           " times as long as on the flat sheet (form: flat passes over it)");
   }
 }
 
-/// The last folded form with vertices of its own; -1 where there is none.
+/// Some programs draw the folded form at another scale than the pattern. Undoes a scale that all
+/// edges share.
+void undoScale(const Sheet& sheet, Positions& positions) {
+  const std::vector<double> values = stretches(sheet, positions);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double scale = (*least + *most) / 2;
+  if (!(*most - *least <= kSameScale * scale) || std::abs(scale - 1) <= kSameScale) return;
+  positions /= scale;
+}
+
+/// Whether a frame shows the pattern of another: it descends from it, or has the same mesh, as the
+/// frames of a film do.
+bool belongsTo(const FoldDocument& document, int frame, int pattern_frame) {
+  if (document.descendsFrom(frame, pattern_frame)) return true;
+  return document.has(frame, "edges_vertices") == document.has(pattern_frame, "edges_vertices") &&
+         document.sharesMesh(frame, pattern_frame);
+}
+
+/// The last folded form of the pattern with vertices of its own; -1 where there is none.
 int findFoldedForm(const FoldDocument& document, int pattern_frame) {
   for (int frame = document.frameCount() - 1; frame >= 0; --frame) {
     if (frame != pattern_frame && document.hasClass(frame, "foldedForm") &&
-        document.hasOwn(frame, "vertices_coords")) {
+        document.hasOwn(frame, "vertices_coords") && belongsTo(document, frame, pattern_frame)) {
       return frame;
     }
   }
@@ -120,6 +148,7 @@ void readFoldedForm(const FoldDocument& document, const CreasePattern& pattern, 
   const bool is_own = !made.file_vertices.empty();
   const PatternSheet own = is_own ? made : makeSheet(pattern, 0);
   Positions positions = ownPositions(document, frame, pattern.plane, metres, own);
+  undoScale(own.sheet, positions);
   checkStretch(own.sheet, positions, name);
   if (isFoldedFlat(own.sheet, positions)) return;
   if (!is_own) {
@@ -128,7 +157,8 @@ void readFoldedForm(const FoldDocument& document, const CreasePattern& pattern, 
   }
   paper.rest_angles = meanAngles(paper.sheet, positions);
   for (std::size_t i = 0; i < paper.rest_angles.size(); ++i) {
-    const double asked = paper.sheet.creases()[i].pattern_angle;
+    const double asked = i < pattern.noted.size() ? pattern.noted[i].rest_angle
+                                                  : paper.sheet.creases()[i].pattern_angle;
     if (i < pattern.noted.size() || std::isnan(asked)) paper.rest_angles[i] = asked;
   }
   paper.positions = std::move(positions);

@@ -121,7 +121,7 @@ std::vector<PatternCrease> gatherCreases(const CreasePattern& pattern) {
   for (const NotedCrease& noted : pattern.noted) {
     if (!ids.insert(noted.id).second) reject("two creases have id ", noted.id);
     gatherer.take(noted);
-    creases.push_back({noted.id, noted.name, noted.vertices, noted.rest_angle});
+    creases.push_back({noted.id, noted.name, noted.vertices, noted.pattern_angle});
     next_id = std::max(next_id, noted.id + 1);
   }
   for (std::size_t i = 0; i < pattern.edges.size(); ++i) {

@@ -78,6 +78,7 @@ Outline traceOutline(const CreasePattern& pattern) {
       v = next;
     }
   }
+  if (loops.empty()) reject("its border edges (B) enclose no paper");
   const auto largest = std::max_element(loops.begin(), loops.end(), [](auto& a, auto& b) {
     return std::abs(signedArea(a)) < std::abs(signedArea(b));
   });

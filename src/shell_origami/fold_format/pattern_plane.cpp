@@ -78,10 +78,24 @@ std::optional<PatternPlane> planeOf(const std::vector<Vector3>& points,
   return plane;
 }
 
+/// Whether a frame in a plane is a form that is folded flat: some faces have turned over.
+bool isFoldedFlat(const FoldDocument& document, int frame, const std::vector<Vector3>& points,
+                  const PatternPlane& plane) {
+  if (!document.hasClass(frame, "foldedForm") || document.hasClass(frame, "creasePattern")) {
+    return false;
+  }
+  double up = 0, down = 0;
+  for (const auto& face : document.faces(frame, static_cast<int>(points.size()))) {
+    const double area = (plane.axes * normalOfFaces(points, {face})).z();
+    (area > 0 ? up : down) += std::abs(area);
+  }
+  return std::min(up, down) > kFlatness * std::max(up, down);
+}
+
 }  // namespace
 
 void findFlatFrame(const FoldDocument& document, CreasePattern& pattern) {
-  bool has_vertices = false;
+  bool has_vertices = false, has_folded_flat = false;
   for (const bool wants_class : {true, false}) {
     for (int frame = 0; frame < document.frameCount(); ++frame) {
       if (wants_class && !document.hasClass(frame, "creasePattern")) continue;
@@ -94,11 +108,18 @@ void findFlatFrame(const FoldDocument& document, CreasePattern& pattern) {
                " is called a crease pattern, but its vertices do not span one plane");
       }
       if (!plane) continue;
+      if (isFoldedFlat(document, frame, points, *plane)) {
+        has_folded_flat = true;
+        continue;
+      }
       pattern.frame = frame;
       pattern.plane = *plane;
       for (const Vector3& p : points) pattern.points.push_back(plane->apply(p).head<2>());
       return;
     }
+  }
+  if (has_folded_flat) {
+    reject("holds only a form that is folded flat, and no crease pattern to fold it from");
   }
   if (has_vertices) {
     reject("holds only a folded form in space, and no flat crease pattern to fold it from");

@@ -15,6 +15,26 @@ double coincidence(const std::vector<Vector2>& points) {
   return points.empty() ? 0 : 1e-9 * box.sizes().maxCoeff();
 }
 
+/// Sets of numbers, each represented by its smallest (union-find).
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parents_(count) {
+    std::iota(parents_.begin(), parents_.end(), 0);
+  }
+
+  int find(int i) {
+    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+    return i;
+  }
+  void unite(int i, int j) {
+    const auto [first, second] = std::minmax({find(i), find(j)});
+    parents_[second] = first;
+  }
+
+ private:
+  std::vector<int> parents_;
+};
+
 /// The vertices of border edges, from left to right.
 std::vector<int> borderVertices(const CreasePattern& pattern) {
   std::vector<int> vertices;
@@ -66,21 +86,21 @@ bool borderCloses(const CreasePattern& pattern) {
 
 std::vector<int> mergeCoincident(const std::vector<Vector2>& points) {
   const double tolerance = coincidence(points);
-  std::vector<int> order(points.size()), stand_in(points.size());
+  std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
-  std::iota(stand_in.begin(), stand_in.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int i, int j) { return points[i].x() < points[j].x(); });
+  DisjointSets sets(points.size());
   for (std::size_t n = 0; n < order.size(); ++n) {
     const Vector2& p = points[order[n]];
     for (std::size_t m = n + 1; m < order.size(); ++m) {
       const Vector2& q = points[order[m]];
       if (q.x() > p.x() + tolerance) break;
-      if ((q - p).norm() > tolerance) continue;
-      const int first = std::min(stand_in[order[n]], stand_in[order[m]]);
-      stand_in[order[n]] = stand_in[order[m]] = first;
+      if ((q - p).norm() <= tolerance) sets.unite(order[n], order[m]);
     }
   }
+  std::vector<int> stand_in(points.size());
+  for (std::size_t v = 0; v < stand_in.size(); ++v) stand_in[v] = sets.find(static_cast<int>(v));
   return stand_in;
 }
 

@@ -1,9 +1,11 @@
 #include <shell_origami/mesh/mesh_refine.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/base/memory.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace shell_origami {
@@ -127,6 +129,23 @@ void checkCount(double triangles, double max_edge) {
   if (triangles <= kMostTriangles) return;
   reject("max_edge ", max_edge, " would give about ", triangles,
          " triangles, but a million are the most");
+}
+
+void checkPlan(double triangles, double max_edge) {
+  checkCount(triangles, max_edge);
+  try {
+    checkMemory(triangles);
+  } catch (const std::invalid_argument& error) {
+    reject("max_edge ", max_edge, " is too small: ", error.what());
+  }
+}
+
+void checkMemory(double triangles) {
+  constexpr double kMega = 1e6;
+  const double needed = kTriangleMemory * triangles, available = availableMemory();
+  if (needed <= available) return;
+  reject("about ", triangles, " triangles need ", std::ceil(needed / kMega), " MB of memory, but ",
+         std::floor(available / kMega), " MB are available");
 }
 
 void refineMesh(Triangulation& mesh, double longest) {

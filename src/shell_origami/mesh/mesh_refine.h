@@ -7,12 +7,21 @@
 
 namespace shell_origami {
 
-/// What triangulate() and its peers reject to exceed.
+/// A sheet has at most so many triangles: a step of more takes minutes.
 constexpr double kMostTriangles = 1e6;
-/// \throws std::invalid_argument unless max_edge is positive and finite
+/// Memory that a simulation takes for each triangle [bytes], most of it for its factorized matrix.
+constexpr double kTriangleMemory = 8000;
+
+/// Throws std::invalid_argument unless max_edge is positive and finite.
 void checkMaxEdge(double max_edge);
-/// \throws std::invalid_argument when there would be more than kMostTriangles
+/// Throws std::invalid_argument if there would be more than kMostTriangles.
 void checkCount(double triangles, double max_edge);
+/// Throws std::invalid_argument if there would be more than kMostTriangles or a simulation of so
+/// many would take more memory than is available.
+void checkPlan(double triangles, double max_edge);
+/// Throws std::invalid_argument if a simulation of so many triangles would take more memory than is
+/// available.
+void checkMemory(double triangles);
 
 /// Whether the edge is on the border or labelled.
 bool isFixed(const Triangulation& mesh, Triangulation::Side side);

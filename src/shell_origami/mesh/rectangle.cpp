@@ -120,7 +120,7 @@ Triangulation triangulateRectangle(double width, double height, double max_edge)
   checkSide("height", height);
   checkMaxEdge(max_edge);
   const double edge = std::min({max_edge, width, height});
-  checkCount(2 * (width / edge) * (height / edge), max_edge);
+  checkPlan(2 * (width / edge) * (height / edge), max_edge);
 
   const bool turned = height > width;  // rows along the longer side
   const RowPlan plan =

@@ -98,7 +98,7 @@ GraphMesh meshGraph(const PlanarGraph& graph, double max_edge) {
   }
   checkMaxEdge(max_edge);
   const double spacing = kSpacing * max_edge;
-  checkCount(expectedTriangles(paper, graph, spacing), max_edge);
+  checkPlan(expectedTriangles(paper, graph, spacing), max_edge);
 
   PlanarGraph fine = graph;
   const auto chains = subdivide(fine, spacing, max_edge);

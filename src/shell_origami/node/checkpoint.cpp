@@ -1,13 +1,12 @@
 #include <shell_origami/node/checkpoint.h>
 
+#include <shell_origami/base/bounded_json.h>
 #include <shell_origami/base/error.h>
-#include <shell_origami/origami/report.h>
+#include <shell_origami/base/files.h>
 
 #include <ros/console.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -18,7 +17,9 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 /// Grows where the file's contents change.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
+/// A million triangles take some 300 MB.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{2} << 30;
 
 Json jsonOf(const Run& run) {
   return {{"shell_origami", kVersion},
@@ -29,7 +30,7 @@ Json jsonOf(const Run& run) {
 
 Run runOf(const Json& json) {
   if (json.at("shell_origami") != kVersion) {
-    reject("it is of version ", json.at("shell_origami"), ", not ", kVersion);
+    reject("it is of version ", describeJson(json.at("shell_origami")), ", not ", kVersion);
   }
   Run run{Session(json.at("paper")), std::nullopt, json.at("paused")};
   if (!json.at("recipe").is_null()) run.recipe.emplace(json.at("recipe"));
@@ -42,11 +43,9 @@ Checkpoint::Checkpoint(std::string path, double period) : path_(std::move(path))
 
 std::optional<Run> Checkpoint::read() const {
   if (path_.empty() || !fs::exists(path_)) return std::nullopt;
-  std::ifstream file(path_, std::ios::binary);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
   try {
-    if (!file) reject("it cannot be read");
-    return runOf(Json::from_cbor(bytes));
+    const std::string bytes = readFile(path_, kMostBytes);
+    return runOf(parseCbor({bytes.begin(), bytes.end()}));
   } catch (const std::exception& error) {
     reject("parameter ~checkpoint/file is \"", path_,
            "\", from which nothing goes on: ", error.what());

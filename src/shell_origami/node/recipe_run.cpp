@@ -13,8 +13,10 @@ RecipeRun::RecipeRun(Recipe recipe, std::string output, Listener listener)
     : runner_(std::move(recipe)), output_(std::move(output)), listener_(std::move(listener)) {}
 
 RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
-    : runner_(readRecipe({checkpoint.at("called"), checkpoint.at("folder"), checkpoint.at("text")}),
-              {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("step_start")}),
+    : runner_(readRecipe({checkpoint.at("called"), checkpoint.at("folder"), checkpoint.at("text")},
+                         configFrom(checkpoint.at("defaults"))),
+              {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("step_start"),
+               checkpoint.at("timeouts")}),
       output_(checkpoint.at("output")),
       start_(ros::SteadyTime::now()),
       start_time_(checkpoint.at("start")) {}
@@ -22,9 +24,11 @@ RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
 nlohmann::json RecipeRun::checkpoint() const {
   const RecipeText& source = recipe().source;
   const RecipePlace& place = runner_.place();
-  return {{"called", source.called}, {"folder", source.folder},  {"text", source.text},
-          {"step", place.step},      {"started", place.started}, {"step_start", place.start_time},
-          {"output", output_},       {"start", start_time_}};
+  return {{"called", source.called},    {"folder", source.folder},
+          {"text", source.text},        {"step", place.step},
+          {"started", place.started},   {"step_start", place.start_time},
+          {"output", output_},          {"start", start_time_},
+          {"timeouts", place.timeouts}, {"defaults", toJson(recipe().defaults)}};
 }
 
 bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& apply) {
@@ -32,7 +36,11 @@ bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& 
     start_ = ros::SteadyTime::now();
     start_time_ = simulation.time();
   }
-  if (!runner_.update(simulation, apply)) {
+  const bool goes_on = runner_.update(simulation, apply);
+  for (const std::string& warning : runner_.takeWarnings()) {
+    ROS_WARN("%s: %s", recipe().name.c_str(), warning.c_str());
+  }
+  if (!goes_on) {
     finish(simulation);
     return false;
   }
@@ -63,7 +71,7 @@ void RecipeRun::finish(const Simulation& simulation) const {
   ROS_INFO("%s: done after %.2f s of simulation, %.2f s elapsed", recipe().name.c_str(),
            simulation.time() - start_time_, wall_time);
   if (output_.empty()) return;
-  writeResults(simulation, recipe().name, wall_time, output_);
+  writeResults(simulation, {recipe().name, wall_time, "", runner_.place().timeouts}, output_);
   ROS_INFO("%s: results are in %s", recipe().name.c_str(), output_.c_str());
 }
 

@@ -2,51 +2,81 @@
 
 #include <yaml-cpp/eventhandler.h>
 
+#include <set>
 #include <sstream>
+#include <vector>
 
 namespace shell_origami {
 namespace {
 
-constexpr int kDeepest = 32;  // a recipe's points lie six deep
+constexpr std::size_t kDeepest = 32;  // a recipe's points lie six deep
+constexpr int kMostValues = 1000000;
 
-/// yaml-cpp calls itself once a level, and before 0.7 without a bound. It tells of each level
-/// before it goes there, which is when it can be stopped.
-class DepthGuard : public YAML::EventHandler {
+/// Checks a document before it is loaded. yaml-cpp recurses once a level, before 0.7 without a
+/// bound; it announces each level before it enters it, which is when it can be stopped. Of a key
+/// that occurs twice it keeps one value silently.
+class Guard : public YAML::EventHandler {
  public:
   void OnSequenceStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t,
                        YAML::EmitterStyle::value) override {
-    enter(mark);
+    enter(mark, false);
   }
-  void OnSequenceEnd() override { --depth_; }
+  void OnSequenceEnd() override { levels_.pop_back(); }
   void OnMapStart(const YAML::Mark& mark, const std::string& /*tag*/, YAML::anchor_t,
                   YAML::EmitterStyle::value) override {
-    enter(mark);
+    enter(mark, true);
   }
-  void OnMapEnd() override { --depth_; }
+  void OnMapEnd() override { levels_.pop_back(); }
 
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                const std::string&) override {}
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t) override { take(mark, nullptr); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { take(mark, nullptr); }
+  void OnScalar(const YAML::Mark& mark, const std::string&, YAML::anchor_t,
+                const std::string& value) override {
+    take(mark, &value);
+  }
 
  private:
-  void enter(const YAML::Mark& mark) {
-    if (++depth_ > kDeepest) {
+  /// A list or map that is being read.
+  struct Level {
+    bool is_map;
+    bool at_key = true;  ///< of a map: whether a key is next
+    std::set<std::string> keys = {};
+  };
+
+  void enter(const YAML::Mark& mark, bool is_map) {
+    take(mark, nullptr);
+    if (levels_.size() == kDeepest) {
       throw YAML::ParserException(
           mark, "lists and maps nest deeper than " + std::to_string(kDeepest) + " levels");
     }
+    levels_.push_back({is_map});
   }
 
-  int depth_ = 0;
+  /// Takes a key, a value of a map, or an entry of a list.
+  void take(const YAML::Mark& mark, const std::string* scalar) {
+    if (++values_ > kMostValues) {
+      throw YAML::ParserException(mark,
+                                  "it holds more than " + std::to_string(kMostValues) + " values");
+    }
+    if (levels_.empty() || !levels_.back().is_map) return;
+    Level& map = levels_.back();
+    if (map.at_key && scalar && !map.keys.insert(*scalar).second) {
+      throw YAML::ParserException(mark, "the key '" + *scalar + "' occurs twice in one map");
+    }
+    map.at_key = !map.at_key;
+  }
+
+  std::vector<Level> levels_;  ///< around what is next, the innermost last
+  int values_ = 0;
 };
 
 }  // namespace
 
 YAML::Node loadBoundedYaml(const std::string& text) {
   std::istringstream stream(text);
-  DepthGuard guard;
+  Guard guard;
   YAML::Parser(stream).HandleNextDocument(guard);
   return YAML::Load(text);
 }

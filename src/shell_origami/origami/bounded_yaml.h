@@ -1,5 +1,5 @@
 /// \file
-/// YAML from anywhere: however deep text nests, reading it takes a bounded stack.
+/// YAML from unknown sources, within bounds.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -8,7 +8,9 @@
 
 namespace shell_origami {
 
-/// \throws YAML::Exception where the text is no YAML, or nests deeper than any recipe has to.
+/// Returns the first document of a text.
+/// Throws YAML::Exception, with the line, if the text is not YAML, nests deeper than 32 levels,
+/// holds more than a million values, or has a map in which a key occurs twice.
 YAML::Node loadBoundedYaml(const std::string& text);
 
 }  // namespace shell_origami

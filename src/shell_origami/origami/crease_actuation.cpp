@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace shell_origami {
@@ -61,14 +62,20 @@ void CreaseActuation::start(int crease, double target, double time, double durat
 }
 
 void CreaseActuation::synchronize(double time) {
+  // Of the ramps that begin now, the one of each duration and direction that goes farthest.
+  std::map<std::pair<double, bool>, const FoldRamp*> leads;
+  std::vector<FoldRamp*> starting;
   for (FoldRamp& ramp : ramps_) {
     if (!ramp.driven || ramp.start != time) continue;
-    const FoldRamp* lead = &ramp;
-    for (const FoldRamp& other : ramps_) {
-      if (other.runsWith(ramp) && other.way() > lead->way()) lead = &other;
-    }
-    ramp.lead_from = lead->from;
-    ramp.lead_target = lead->target;
+    starting.push_back(&ramp);
+    const FoldRamp*& lead = leads[{ramp.duration, ramp.folds()}];
+    if (!lead || ramp.way() > lead->way()) lead = &ramp;
+  }
+  for (FoldRamp* ramp : starting) {
+    const FoldRamp* lead = leads[{ramp->duration, ramp->folds()}];
+    if (ramp->way() == lead->way()) lead = ramp;  // one that goes as far follows its own angle
+    ramp->lead_from = lead->from;
+    ramp->lead_target = lead->target;
   }
 }
 

@@ -18,10 +18,6 @@ double FoldRamp::angleAt(double t) const {
 
 double FoldRamp::way() const { return std::abs(std::tan(target / 2) - std::tan(from / 2)); }
 
-bool FoldRamp::runsWith(const FoldRamp& other) const {
-  const auto folds = [](const FoldRamp& r) { return std::abs(r.target) >= std::abs(r.from); };
-  return driven && other.driven && start == other.start && duration == other.duration &&
-         folds(*this) == folds(other);
-}
+bool FoldRamp::folds() const { return std::abs(target) >= std::abs(from); }
 
 }  // namespace shell_origami

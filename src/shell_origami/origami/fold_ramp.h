@@ -25,9 +25,8 @@ struct FoldRamp {
   bool runningAt(double t) const { return driven && t < start + duration; }
   /// How far tan(angle/2) goes.
   double way() const;
-  /// Whether it runs together with another: both begin at the same time, take equally long, and
-  /// fold, or both unfold.
-  bool runsWith(const FoldRamp& other) const;
+  /// Whether it goes away from flat, or keeps its angle; otherwise it unfolds.
+  bool folds() const;
 };
 
 }  // namespace shell_origami

@@ -1,6 +1,7 @@
 #include <shell_origami/origami/pins.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/sheet/vertex_grid.h>
 
 #include <cmath>
 #include <set>
@@ -23,14 +24,16 @@ std::vector<int> verticesAt(const PinWhere& where, const Sheet& sheet, const Pos
     }
   } else if (const auto* points = std::get_if<std::vector<Vector2>>(&where)) {
     if (points->empty()) reject("no points are given");
+    const VertexGrid grid(sheet);
+    const double tolerance = 1e-6 * sheet.size();
     for (const Vector2& p : *points) {
       if (!p.allFinite()) reject("the point (", p.x(), ", ", p.y(), ") is not finite");
-      const int nearest = sheet.nearestVertex(p);
-      const Triangulation& mesh = sheet.triangulation();
-      if (!mesh.locateNear(p, 1e-6 * sheet.size(), mesh.around(nearest)[0])) {
+      const int v = grid.nearest(p);
+      const int near = sheet.triangulation().around(v)[0];
+      if (!sheet.triangulation().locateNear(p, tolerance, near)) {
         reject("the point (", p.x(), ", ", p.y(), ") is off the paper");
       }
-      found.insert(nearest);
+      found.insert(v);
     }
   } else if (const auto* region = std::get_if<Region>(&where)) {
     if (region->corners.size() < 3) {

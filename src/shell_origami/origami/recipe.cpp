@@ -1,19 +1,23 @@
 #include <shell_origami/origami/recipe.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/mesh/mesh_refine.h>
 #include <shell_origami/mesh/triangulate.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace shell_origami {
 
 namespace {
 
 FoldPaper readPaper(const SheetSource& source) {
-  if (!source.pattern.empty()) return readFold(source.pattern, {source.scale, source.max_edge});
+  if (!source.pattern.empty()) {
+    return readFold(source.pattern, {source.scale, source.max_edge, source.form});
+  }
   return {Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), {}, {}};
 }
 
@@ -28,6 +32,7 @@ Eigen::Isometry3d poseOf(const SheetSource& source) {
 
 Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config) {
   FoldPaper paper = readPaper(source);
+  checkMemory(static_cast<double>(paper.sheet.triangles().size()));
   if (!paper.positions) {
     paper.positions = flatInSpace(paper.sheet);
     paper.rest_angles.assign(paper.sheet.creases().size(), std::nan(""));
@@ -71,10 +76,9 @@ struct Over {
   bool operator()(const PinStep&) const { return true; }
   bool operator()(const UnpinStep&) const { return true; }
   bool operator()(const FoldStep&) const { return !simulation.folding(); }
-  bool operator()(const SettleStep& step) const {
-    // The residual speeds of a fold just begun are not rest.
-    return elapsed >= step.timeout || (elapsed > 0 && simulation.settled());
-  }
+  bool operator()(const SettleStep& step) const { return elapsed >= step.timeout || settled(); }
+  /// The residual speeds of a fold just begun are not rest.
+  bool settled() const { return elapsed > 0 && simulation.settled(); }
 };
 
 struct Word {
@@ -103,7 +107,10 @@ bool RecipeRunner::update(const Simulation& simulation, const Apply& apply) {
       place_.start_time = simulation.time();
       if (!made) return true;
     }
-    if (!std::visit(Over{simulation, simulation.time() - place_.start_time}, step)) return true;
+    const Over over{simulation, simulation.time() - place_.start_time};
+    if (!std::visit(over, step)) return true;
+    const auto* settle = std::get_if<SettleStep>(&step);
+    if (settle && !settle->quasi_static && !over.settled()) noteTimeout(*settle);
     ++place_.step;
     place_.started = false;
   }
@@ -115,6 +122,14 @@ bool RecipeRunner::update(Simulation& simulation) {
     simulation.apply(edit);
     return true;
   });
+}
+
+void RecipeRunner::noteTimeout(const SettleStep& step) {
+  place_.timeouts.push_back(place_.step);
+  std::ostringstream warning;
+  warning << "step " << place_.step + 1 << ": the paper had not settled after " << step.timeout
+          << " s, its timeout";
+  warnings_.push_back(warning.str());
 }
 
 double RecipeRunner::progress(const Simulation& simulation) const {

@@ -21,6 +21,7 @@ struct SheetSource {
   double max_edge = 0.01;  ///< longest edge wanted [m]
   std::string pattern;     ///< FOLD file; empty: the rectangle
   double scale = 0;        ///< metres per unit of the pattern; 0: the unit the file states
+  FoldForm form = FoldForm::kFolded;   ///< of the pattern
   Vector3 position = Vector3::Zero();  ///< where the flat sheet's origin lies in the world [m]
   Vector3 roll_pitch_yaw = Vector3::Zero();  ///< how the flat sheet lies there [rad] (REP-103)
 };
@@ -63,6 +64,7 @@ struct Recipe {
   std::string name;  ///< file name without folder and extension
   SheetSource sheet;
   SimulationConfig config;
+  SimulationConfig defaults;  ///< with which it was read: read so again, it is the same recipe
   View view;
   std::vector<RecipeStep> steps;
   std::set<std::string> stated;  ///< words at its top, such as "sheet": all else is by default
@@ -88,6 +90,8 @@ struct RecipePlace {
   int step = 0;           ///< under way, 0-based
   bool started = false;   ///< whether that step's edits are made
   double start_time = 0;  ///< of that step [s]
+  /// Steps before it, 0-based, that ended at their timeout before the paper had settled.
+  std::vector<int> timeouts;
 };
 
 /// Carries a recipe out. Call update() before each step.
@@ -109,10 +113,15 @@ class RecipeRunner {
   bool finished() const { return place_.step >= static_cast<int>(recipe_.steps.size()); }
   double progress(const Simulation& simulation) const;  ///< 0..1
   std::string doing() const;                            ///< one word for the step under way
+  /// Returns a sentence for each step that ended at its timeout since the last call.
+  std::vector<std::string> takeWarnings() { return std::exchange(warnings_, {}); }
 
  private:
+  void noteTimeout(const SettleStep& step);
+
   Recipe recipe_;
   RecipePlace place_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace shell_origami

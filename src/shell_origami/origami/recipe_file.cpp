@@ -1,13 +1,13 @@
 #include <shell_origami/base/error.h>
+#include <shell_origami/base/files.h>
 #include <shell_origami/origami/bounded_yaml.h>
 #include <shell_origami/origami/recipe.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace shell_origami {
@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 constexpr double kDegree = M_PI / 180;
 /// Aliases of aliases make short text long: a list of a thousand times a list of a thousand folds.
 constexpr std::size_t kMostValues = 1000000;
+/// Of a recipe's file.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 
 /// A recipe's file while it is read: knows where it is, for its complaints.
 class Reader {
@@ -145,7 +147,13 @@ void readSheet(const Reader& reader, const YAML::Node& node, const fs::path& fol
        {"max_edge", reader.into(sheet.max_edge, "sheet/max_edge")},
        {"pattern",
         [&](const YAML::Node& value) {
-          sheet.pattern = (folder / reader.text(value, "sheet/pattern")).string();
+          sheet.pattern = (folder / expandedPath(reader.text(value, "sheet/pattern"))).string();
+        }},
+       {"form",
+        [&](const YAML::Node& value) {
+          static const std::map<std::string, FoldForm> kForms{{"flat", FoldForm::kFlat},
+                                                              {"folded", FoldForm::kFolded}};
+          sheet.form = reader.choice(value, "sheet/form", kForms);
         }},
        {"scale", reader.into(sheet.scale, "sheet/scale")},
        {"pose", [&](const YAML::Node& value) { readPose(reader, value, sheet); }},
@@ -235,7 +243,14 @@ FoldEdit readFoldEntry(const Reader& reader, const YAML::Node& node) {
         }},
        {"stiffness",
         [&](const YAML::Node& value) { fold.stiffness = reader.number(value, "stiffness"); }},
-       {"name", [&](const YAML::Node& value) { fold.name = reader.text(value, "name"); }}});
+       {"name", [&](const YAML::Node& value) {
+          fold.name = reader.text(value, "name");
+          try {
+            checkCreaseName(fold.name);
+          } catch (const std::invalid_argument& error) {
+            reader.refuseAt(value, error.what());
+          }
+        }}});
   if (!has_place) reader.refuseAt(node, "a fold needs a line or a crease");
   if (!has_angle) reader.refuseAt(node, "a fold needs angle_deg");
   return fold;
@@ -362,7 +377,7 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
   Recipe recipe;
   recipe.source = source;
   recipe.name = fs::path(source.called).stem().string();
-  recipe.config = defaults;
+  recipe.config = recipe.defaults = defaults;
   recipe.sheet = sheet;
   try {
     YAML::Node root = loadBoundedYaml(source.text);
@@ -381,13 +396,14 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
 
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
                   const SheetSource& sheet, const Overrides& overrides) {
-  std::error_code ignored;
-  // A pipe may never say a word, and /dev/zero never ends.
-  if (!fs::is_regular_file(path, ignored)) reject(path, ": there is no such file");
-  std::ifstream file(path);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) reject(path, ": the file cannot be read");
-  return readRecipe({path, fs::path(path).parent_path().string(), text}, defaults, sheet,
+  const std::string file = expandedPath(path);
+  std::string text;
+  try {
+    text = readFile(file, kMostBytes);
+  } catch (const std::invalid_argument& error) {
+    reject(path, ": ", error.what());
+  }
+  return readRecipe({path, fs::path(file).parent_path().string(), text}, defaults, sheet,
                     overrides);
 }
 

@@ -4,15 +4,9 @@
 #include <shell_origami/fold_format/fold_file.h>
 #include <shell_origami/origami/mesh_file.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <deque>
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
@@ -38,24 +32,6 @@ json reportCrease(const CreaseStatus& crease) {
           {"angle_deg_max", degrees(crease.angle_max)}};
 }
 
-[[noreturn]] void failToWrite(const std::string& path, const std::string& reason) {
-  throw std::runtime_error("cannot write " + path + ": " + reason);
-}
-
-/// Writes and flushes the whole text. Returns 0 or errno.
-int writeWhole(const std::string& path, const std::string& text) {
-  errno = 0;
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (!file) return errno;
-  int error = 0;
-  if (std::fwrite(text.data(), 1, text.size(), file) != text.size()) error = errno;
-  if (error == 0 && std::fflush(file) != 0) error = errno;
-  // On the disk before the old file goes.
-  if (error == 0 && fsync(fileno(file)) != 0 && errno != EINVAL) error = errno;
-  if (std::fclose(file) != 0 && error == 0) error = errno;
-  return error;
-}
-
 std::string lowerExtension(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -65,16 +41,18 @@ std::string lowerExtension(const std::string& path) {
 
 }  // namespace
 
-json makeReport(const Simulation& simulation, const std::string& recipe, double wall_time) {
+json makeReport(const Simulation& simulation, const RunRecord& run) {
   const Counters& counters = simulation.counters();
   const Energies energies = simulation.energies();
   json creases = json::array();
   for (const CreaseStatus& crease : simulation.creases()) creases.push_back(reportCrease(crease));
-  return {{"recipe", recipe},
+  json timeouts = json::array();
+  for (int step : run.timeouts) timeouts.push_back(step + 1);  // people count from 1
+  return {{"recipe", run.recipe},
           {"triangles", simulation.sheet().triangles().size()},
           {"vertices", simulation.sheet().vertexCount()},
           {"sim_time", orNull(simulation.time())},
-          {"wall_time", orNull(wall_time)},
+          {"wall_time", orNull(run.wall_time)},
           {"solver_time", counters.times.total()},
           {"steps", counters.steps},
           {"newton_iterations", counters.newton_iterations},
@@ -86,6 +64,8 @@ json makeReport(const Simulation& simulation, const std::string& recipe, double 
           {"settled", simulation.settled()},
           {"min_gap", -1},  // contact is not computed
           {"intersections", -1},
+          {"failure", run.failure.empty() ? json(nullptr) : json(run.failure)},
+          {"timeouts", std::move(timeouts)},
           {"creases", std::move(creases)}};
 }
 
@@ -127,60 +107,22 @@ std::string paperText(const Simulation& simulation, const std::string& path) {
   reject("cannot save ", path, ": its extension must be .fold, .obj, .stl or .ply");
 }
 
-/// A file that is written beside the one whose place it takes, and gone unless it has.
-class PartFile {
- public:
-  explicit PartFile(const TextFile& file) : path_(file.path) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path_, ignored);
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-      failToWrite(path_, "it is no plain file");
-    }
-    // Through a link, its target is replaced and the link stays.
-    const bool link = fs::is_symlink(fs::symlink_status(path_, ignored)) && fs::exists(status);
-    target_ = link ? fs::canonical(path_, ignored).string() : path_;
-    part_ = target_ + "." + std::to_string(getpid()) + ".part";
-    const int error = writeWhole(part_, file.text);
-    if (error == 0) return;
-    std::remove(part_.c_str());
-    failToWrite(path_, std::strerror(error));
-  }
-  PartFile(const PartFile&) = delete;
-  ~PartFile() {
-    if (!part_.empty()) std::remove(part_.c_str());
-  }
-
-  void takePlace() {
-    if (std::rename(part_.c_str(), target_.c_str()) != 0) failToWrite(path_, std::strerror(errno));
-    part_.clear();
-  }
-
- private:
-  std::string path_, target_, part_;
-};
-
 }  // namespace
 
 void savePaper(const Simulation& simulation, const std::string& path) {
   writeFiles({{path, paperText(simulation, path)}});
 }
 
-void writeFiles(const std::vector<TextFile>& files) {
-  std::deque<PartFile> parts;
-  for (const TextFile& file : files) parts.emplace_back(file);
-  for (PartFile& part : parts) part.takePlace();
-}
-
-void writeResults(const Simulation& simulation, const std::string& recipe, double wall_time,
-                  const std::string& folder, std::vector<TextFile> files) {
+void writeResults(const Simulation& simulation, const RunRecord& run, const std::string& folder,
+                  std::vector<TextFile> files) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) failToWrite(folder, error.message());
+  if (error) throw std::runtime_error("cannot write " + folder + ": " + error.message());
   for (const char* name : {"final.fold", "final.obj"}) {
     files.push_back({name, paperText(simulation, name)});
   }
   // The report last: where it stands, everything else does.
-  const json report = makeReport(simulation, recipe, wall_time);
+  const json report = makeReport(simulation, run);
   files.push_back(
       {"report.json", report.dump(2, ' ', false, json::error_handler_t::replace) + "\n"});
   for (TextFile& file : files) file.path = (fs::path(folder) / file.path).string();

@@ -2,6 +2,7 @@
 /// What a run leaves behind: report.json, final.fold, final.obj.
 #pragma once
 
+#include <shell_origami/base/files.h>
 #include <shell_origami/origami/simulation.h>
 
 #include <nlohmann/json.hpp>
@@ -11,9 +12,16 @@
 
 namespace shell_origami {
 
-/// The figures of a run, as interface names them.
-nlohmann::json makeReport(const Simulation& simulation, const std::string& recipe,
-                          double wall_time);
+/// What is known of a run beside its paper.
+struct RunRecord {
+  std::string recipe;              ///< its name
+  double wall_time = 0;            ///< [s]
+  std::string failure = {};        ///< why it ended early; empty: it did not
+  std::vector<int> timeouts = {};  ///< steps of the recipe that ended unsettled, 0-based
+};
+
+/// Returns the figures of a run by the names of doc/reference.md.
+nlohmann::json makeReport(const Simulation& simulation, const RunRecord& run);
 
 /// The paper as it is now as a FOLD document.
 nlohmann::json foldDocument(const Simulation& simulation, const std::string& title);
@@ -27,19 +35,9 @@ nlohmann::json foldFrame(const Simulation& simulation, int mesh_frame);
 /// written.
 void savePaper(const Simulation& simulation, const std::string& path);
 
-/// A text and where it belongs.
-struct TextFile {
-  std::string path;
-  std::string text;
-};
-
-/// Writes texts the same careful way: all of them, before any takes the place of an older file.
-/// \throws std::runtime_error naming path and reason
-void writeFiles(const std::vector<TextFile>& files);
-
 /// final.fold, final.obj and report.json, with `more` files named within the folder, into the
 /// folder, which is made when it is missing.
-void writeResults(const Simulation& simulation, const std::string& recipe, double wall_time,
-                  const std::string& folder, std::vector<TextFile> more = {});
+void writeResults(const Simulation& simulation, const RunRecord& run, const std::string& folder,
+                  std::vector<TextFile> more = {});
 
 }  // namespace shell_origami

@@ -1,5 +1,6 @@
 #include <shell_origami/origami/snapshot.h>
 
+#include <shell_origami/base/bounded_json.h>
 #include <shell_origami/base/error.h>
 
 #include <cmath>
@@ -24,7 +25,7 @@ std::string wordFor(const std::map<std::string, Value>& words, Value value) {
 template <class Value>
 Value meaningOf(const std::map<std::string, Value>& words, const Json& json) {
   const auto found = words.find(json.get<std::string>());
-  if (found == words.end()) reject("unknown word ", json);
+  if (found == words.end()) reject("unknown word ", describeJson(json));
   return found->second;
 }
 
@@ -264,6 +265,10 @@ Json toJson(const Counters& counters) {
           {"factorizations", counters.factorizations},
           {"retries", counters.retries}};
 }
+
+Json toJson(const SimulationConfig& config) { return write(config); }
+
+SimulationConfig configFrom(const Json& json) { return readConfig(json); }
 
 Counters countersFrom(const Json& json) {
   Counters counters;

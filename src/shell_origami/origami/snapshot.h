@@ -37,6 +37,9 @@ struct Snapshot {
   bool resting = false;
 };
 
+nlohmann::json toJson(const SimulationConfig& config);
+/// Throws std::invalid_argument or nlohmann::json::exception for anything else than toJson() made.
+SimulationConfig configFrom(const nlohmann::json& json);
 nlohmann::json toJson(const Counters& counters);
 /// \throws nlohmann::json::exception
 Counters countersFrom(const nlohmann::json& json);

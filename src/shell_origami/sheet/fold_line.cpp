@@ -12,12 +12,13 @@ FoldLine makeFoldLine(Sheet& sheet, const Segment& line, const std::string& name
       reject("an end of the line is not finite: (", end.x(), ", ", end.y(), ")");
     }
   }
+  if (!name.empty()) checkCreaseName(name);
   SheetEditor editor(sheet, context);
   if ((line[1] - line[0]).norm() <= editor.mesh().snap()) {
     reject("both ends of the line are the same point (", line[0].x(), ", ", line[0].y(), ")");
   }
-  const int from = editor.insertPoint(line[0], line[1] - line[0]);
-  const int to = editor.insertPoint(line[1], line[0] - line[1]);
+  const int from = editor.insertEnd(line[0], line[1] - line[0]);
+  const int to = editor.insertEnd(line[1], line[0] - line[1]);
   if (from == to) reject("both ends of the line are vertex ", from);
   const std::vector<std::vector<int>> parts = editor.insertLine(from, to);
   if (parts.empty()) reject("the line runs along the border of the paper");

@@ -36,9 +36,11 @@ struct FoldLine {
 /// otherwise the covered part is cut off as a crease of its own; all other edges of the line
 /// become one new crease called `name` (a name of its own if empty). Where the line leaves the
 /// paper, over a hole or across a slit, it is parted; along the border or a slit it does not fold.
-/// Bumps the revision. On any error the sheet is untouched.
-/// \throws std::invalid_argument when an end is not finite or off the paper, the ends coincide,
-///         or the line runs along the border only.
+/// An end that is hardly off the border, a crease or a vertex of theirs (kMergedFeature) is taken
+/// to be on it. Bumps the revision. On any error the sheet is untouched. Throws
+/// std::invalid_argument if an end is not finite or off the paper, the ends coincide, the line runs
+/// along the border only, it would leave an edge shorter than kShortestEdge, or the name is not one
+/// for a crease.
 FoldLine makeFoldLine(Sheet& sheet, const Segment& line, const std::string& name = "",
                       const EditContext& context = {});
 
@@ -48,8 +50,8 @@ struct AddedVertex {
 };
 
 /// Splits the edge a, b at `fraction` of its flat length from a and repairs both neighbours.
-/// Bumps the revision. \throws std::invalid_argument when a, b is no edge or fraction is outside
-/// (0, 1).
+/// Bumps the revision. Throws std::invalid_argument if a, b is no edge, fraction is outside (0, 1),
+/// or a part of the edge would be shorter than kShortestEdge allows.
 AddedVertex addVertex(Sheet& sheet, int a, int b, double fraction);
 
 }  // namespace shell_origami

@@ -1,5 +1,7 @@
 #include <shell_origami/sheet/sheet.h>
 
+#include <shell_origami/base/error.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -10,6 +12,17 @@
 #include <utility>
 
 namespace shell_origami {
+
+void checkCreaseName(const std::string& name) {
+  constexpr std::size_t kLongest = 100;
+  if (name.empty()) reject("the name of a crease is empty");
+  if (name.size() > kLongest) {
+    reject("the name of a crease has ", name.size(), " bytes, more than ", kLongest);
+  }
+  for (const char* group : {"all", "mountains", "valleys"}) {
+    if (name == group) reject("a crease cannot be named '", name, "': that is a group of creases");
+  }
+}
 
 Sheet::Sheet(Triangulation triangulation, std::vector<Crease> creases)
     : triangulation_(std::move(triangulation)), creases_(std::move(creases)) {
@@ -65,6 +78,14 @@ void Sheet::rebuildEdges() {
       edges_.push_back(edge);
     }
   }
+}
+
+double Sheet::meanEdge() const {
+  double sum = 0;
+  for (const Edge& edge : edges_) {
+    sum += (flatPositions()[edge.vertices[0]] - flatPositions()[edge.vertices[1]]).norm();
+  }
+  return sum / static_cast<double>(edges_.size());
 }
 
 double Sheet::size() const {

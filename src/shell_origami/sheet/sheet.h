@@ -21,6 +21,16 @@ struct Crease {
   double pattern_angle = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// Throws std::invalid_argument if a crease may not have the name: it is empty, longer than 100
+/// bytes, or the name of a group of creases (all, mountains, valleys).
+void checkCreaseName(const std::string& name);
+
+/// Shortest edge that edge making leaves, as a part of the sheet's mean edge: shorter ones make a
+/// step's matrix singular. A line whose end is closer than kMergedFeature to the border, a crease
+/// or a vertex of theirs ends there instead.
+constexpr double kShortestEdge = 1e-4;
+constexpr double kMergedFeature = 1e-2;
+
 /// An edge with its two triangles. Seen from +z the first triangle lies left of
 /// vertices[0] -> vertices[1]:
 ///
@@ -58,6 +68,8 @@ class Sheet {
   /// \throws std::invalid_argument when a crease has the next id or one after it
   void restore(std::uint32_t revision, std::uint32_t next_crease_id);
 
+  /// Mean flat length of the edges [m].
+  double meanEdge() const;
   /// Largest extent along x or y [m].
   double size() const;
   double area() const;  ///< flat [m^2]

@@ -1,6 +1,7 @@
 #include <shell_origami/sheet/sheet_editor.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/mesh/mesh_refine.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +41,8 @@ Vector2 intersection(const Vector2& a, const Vector2& b, const Segment& line) {
 
 SheetEditor::SheetEditor(const Sheet& sheet, const EditContext& context)
     : mesh_(sheet.triangulation(), context.positions, context.held),
+      merged_(std::max(mesh_.snap(), kMergedFeature * sheet.meanEdge())),
+      shortest_(kShortestEdge * sheet.meanEdge()),
       old_creases_(sheet.creases()) {}
 
 int SheetEditor::addCrease(std::optional<int> parent) {
@@ -63,11 +66,30 @@ bool SheetEditor::shiftTo(int v, const Vector2& p) {
 }
 
 int SheetEditor::insertPoint(const Vector2& p, const Vector2& ahead) {
-  protected_.push_back(vertexAt(p, ahead));
+  protected_.push_back(vertexAt(p, ahead, mesh_.snap()));
   return protected_.back();
 }
 
-int SheetEditor::vertexAt(const Vector2& p, const Vector2& ahead) {
+int SheetEditor::insertEnd(const Vector2& p, const Vector2& ahead) {
+  protected_.push_back(vertexAt(p, ahead, merged_));
+  return protected_.back();
+}
+
+/// The nearest of the corners that must keep its place and is no farther from p than `tolerance`.
+std::optional<int> SheetEditor::fixedCorner(const Triangle& corners, const Vector2& p,
+                                            double tolerance) const {
+  std::optional<int> nearest;
+  double distance = tolerance;
+  for (int v : corners) {
+    const double d = (mesh_.point(v) - p).norm();
+    if (d > distance || mesh_.freedom(v).kind != MaterialMesh::Freedom::kFixed) continue;
+    distance = d;
+    nearest = v;
+  }
+  return nearest;
+}
+
+int SheetEditor::vertexAt(const Vector2& p, const Vector2& ahead, double tolerance) {
   auto place = mesh_.flat().locateAhead(p, ahead, mesh_.snap());
   if (!place) place = mesh_.flat().locate(p, mesh_.snap());
   if (!place) reject("the point ", text(p), " is off the paper");
@@ -75,6 +97,7 @@ int SheetEditor::vertexAt(const Vector2& p, const Vector2& ahead) {
   for (int v : corners) {
     if ((mesh_.point(v) - p).norm() <= mesh_.snap()) return v;
   }
+  if (const auto v = fixedCorner(corners, p, tolerance)) return *v;
   // On an edge, or in the face.
   Triangulation::Side nearest;
   double distance = std::numeric_limits<double>::infinity();
@@ -88,7 +111,8 @@ int SheetEditor::vertexAt(const Vector2& p, const Vector2& ahead) {
   }
   const auto [a, b] = mesh_.flat().ends(nearest);
   Vector2 target = p;
-  if (distance <= mesh_.snap()) {
+  const bool on_edge = distance <= (isFixed(mesh_.flat(), nearest) ? tolerance : mesh_.snap());
+  if (on_edge) {
     const Vector2 along = mesh_.point(b) - mesh_.point(a);
     target = mesh_.point(a) + along.dot(p - mesh_.point(a)) / along.squaredNorm() * along;
   }
@@ -96,7 +120,13 @@ int SheetEditor::vertexAt(const Vector2& p, const Vector2& ahead) {
   for (int v : corners) {
     if ((mesh_.point(v) - target).norm() < reach && shiftTo(v, target)) return v;
   }
-  if (distance <= mesh_.snap()) return mesh_.splitEdge(nearest, target);
+  if (on_edge) {
+    // Beside p the edge may end.
+    for (int v : {a, b}) {
+      if ((mesh_.point(v) - target).norm() <= tolerance) return v;
+    }
+    return mesh_.splitEdge(nearest, target);
+  }
   return mesh_.splitTriangle(place->triangle, target);
 }
 
@@ -267,6 +297,22 @@ void SheetEditor::label(const std::vector<std::vector<int>>& parts) {
   }
 }
 
+/// Throws std::invalid_argument if the edit made an edge that is too short to simulate.
+void SheetEditor::checkEdges(const Sheet& before, const Sheet& after) const {
+  const auto& points = after.flatPositions();
+  for (const Edge& edge : after.edges()) {
+    const auto [a, b] = edge.vertices;
+    const double length = (points[a] - points[b]).norm();
+    if (length >= shortest_) continue;
+    const bool is_old =
+        std::max(a, b) < before.vertexCount() && before.triangulation().findSide(a, b).has_value();
+    if (is_old) continue;
+    reject("an edge of ", length, " m would be left at ", text(points[a]),
+           ", but the shortest possible is ", shortest_, " m (", kShortestEdge,
+           " of the mean edge)");
+  }
+}
+
 namespace {
 
 /// The vertices along the labelled edges from a straight to b.
@@ -302,6 +348,7 @@ FoldLine SheetEditor::commit(Sheet& sheet, const std::vector<std::vector<int>>& 
   result.parts = static_cast<int>(parts.size());
   std::vector<Remap::Born> born;
   Sheet edited(mesh_.flat(), gatherCreases(sheet, parts, name, born));
+  checkEdges(sheet, edited);
   result.remap = traceEdit(sheet, edited, mesh_.snap());
   result.remap.born = std::move(born);
   edited.restore(sheet.revision() + 1, std::max(edited.nextCreaseId(), sheet.nextCreaseId()));

@@ -18,6 +18,9 @@ class SheetEditor {
   /// slit it is on the side that lies towards `ahead`, if one does.
   /// \throws std::invalid_argument off the paper
   int insertPoint(const Vector2& p, const Vector2& ahead);
+  /// The same at an end of a line: hardly off the border, a crease or a vertex of theirs
+  /// (kMergedFeature), it is taken to be on it.
+  int insertEnd(const Vector2& p, const Vector2& ahead);
   /// Makes the straight line from one vertex to another run along edges and returns the vertices
   /// of its parts inside the paper, in order. Edges that carried no crease form a new one.
   std::vector<std::vector<int>> insertLine(int from, int to);
@@ -41,13 +44,17 @@ class SheetEditor {
   bool pullOntoLine(int current, const std::array<int, 2>& ends, const Segment& line);
   /// Shifts v to p if that changes neither outline, creases nor shape and leaves no sliver.
   bool shiftTo(int v, const Vector2& p);
-  int vertexAt(const Vector2& p, const Vector2& ahead);
+  int vertexAt(const Vector2& p, const Vector2& ahead, double tolerance);
+  std::optional<int> fixedCorner(const Triangle& corners, const Vector2& p, double tolerance) const;
+  void checkEdges(const Sheet& before, const Sheet& after) const;
   std::vector<std::vector<int>> partsInside(const std::vector<int>& polyline) const;
   void label(const std::vector<std::vector<int>>& parts);
   std::vector<Crease> gatherCreases(Sheet& sheet, const std::vector<std::vector<int>>& parts,
                                     const std::string& name, std::vector<Remap::Born>& born);
 
   MaterialMesh mesh_;
+  double merged_;    ///< within this the line's ends are merged with fixed vertices and edges [m]
+  double shortest_;  ///< edge that may be made [m]
   const std::vector<Crease>& old_creases_;
   std::vector<NewCrease> new_creases_;
   std::vector<int> protected_;  ///< ends of the line, which stay

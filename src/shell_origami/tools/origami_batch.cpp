@@ -1,5 +1,6 @@
 /// \file
 /// origami_batch: folds a recipe without a ROS master.
+#include <shell_origami/base/files.h>
 #include <shell_origami/fold_format/fold_file.h>
 #include <shell_origami/origami/recipe.h>
 #include <shell_origami/origami/report.h>
@@ -23,7 +24,13 @@ constexpr const char* kUsage =
     "usage: origami_batch RECIPE.yaml --out DIR [--set key=value ...] [--every SECONDS]\n"
     "  --out DIR        folder for final.fold, final.obj, frames.fold and report.json\n"
     "  --set key=value  overrides one value of the recipe, such as material/thickness=2e-4\n"
-    "  --every SECONDS  simulated time between the frames of frames.fold (default 0.1)\n";
+    "  --every SECONDS  simulated time between the frames of frames.fold (default 0.1)\n"
+    "Exit codes: 0 the recipe was folded to its end; 1 nothing was written, for example because "
+    "an\n"
+    "argument or the recipe is invalid; 2 folding ended early, and the files show the paper as it\n"
+    "was then, with the reason in report.json.\n";
+
+constexpr int kNothingWritten = 1, kEndedEarly = 2;
 
 struct Options {
   std::string recipe;
@@ -119,26 +126,46 @@ class Frames {
   std::vector<nlohmann::json> frames_;
 };
 
+/// Folds to the recipe's end. Returns why it ended early; an empty text: it did not.
+std::string run(RecipeRunner& runner, Simulation& simulation, Frames& frames) {
+  ProgressBar bar;
+  const auto update = [&] {
+    const bool goes_on = runner.update(simulation);
+    for (const std::string& warning : runner.takeWarnings()) {
+      std::cerr << "origami_batch: " << warning << "\n";
+    }
+    return goes_on;
+  };
+  try {
+    while (update()) {
+      frames.add(simulation);
+      const StepReport report = simulation.step();
+      if (!report.converged) return report.failure;
+      bar.draw(runner, simulation);
+    }
+  } catch (const std::exception& error) {
+    return error.what();  // the paper does not take an edit of the recipe
+  }
+  bar.draw(runner, simulation);
+  return "";
+}
+
 int fold(const Options& options) {
   RecipeRunner runner(loadRecipe(options.recipe, {}, {}, options.overrides));
   Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config);
   Frames frames(options.every);
-  ProgressBar bar;
   const auto start = std::chrono::steady_clock::now();
-  while (runner.update(simulation)) {
-    frames.add(simulation);
-    const StepReport report = simulation.step();
-    if (!report.converged) {
-      std::cerr << "origami_batch: at " << simulation.time() << " s: " << report.failure << "\n";
-      return 1;
-    }
-    bar.draw(runner, simulation);
-  }
-  bar.draw(runner, simulation);
+  const std::string failure = run(runner, simulation, frames);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   const std::string& name = runner.recipe().name;
-  writeResults(simulation, name, wall.count(), options.out, {frames.file(simulation, name)});
-  return 0;
+  const std::string folder = expandedPath(options.out);
+  writeResults(simulation, {name, wall.count(), failure, runner.place().timeouts}, folder,
+               {frames.file(simulation, name)});
+  if (failure.empty()) return 0;
+  std::cerr << "origami_batch: ended early, in step " << runner.place().step + 1 << " of "
+            << runner.recipe().steps.size() << " at " << simulation.time() << " s: " << failure
+            << "\nThe paper as it was then is in " << folder << "\n";
+  return kEndedEarly;
 }
 
 }  // namespace
@@ -155,6 +182,6 @@ int main(int argc, char** argv) {
     return fold(parse(arguments));
   } catch (const std::exception& error) {
     std::cerr << "origami_batch: " << error.what() << "\n";
-    return 1;
+    return kNothingWritten;
   }
 }

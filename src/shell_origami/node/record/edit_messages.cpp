@@ -1,5 +1,6 @@
 #include <shell_origami/node/record/edit_messages.h>
 
+#include <shell_origami/base/bounded_json.h>
 #include <shell_origami/base/error.h>
 #include <shell_origami/node/conversions.h>
 
@@ -220,8 +221,8 @@ bool carriesPaper(const msg::Edit& message) {
 
 Session paperFrom(const msg::Edit& message) {
   try {
-    return Session(Json::from_cbor(message.paper));
-  } catch (const Json::exception& error) {
+    return Session(parseCbor(message.paper));
+  } catch (const std::exception& error) {
     reject("edit ", message.number, " (", message.kind, ") holds no paper: ", error.what());
   }
 }
