@@ -13,4 +13,14 @@ bool fuzzFolds(int folds, unsigned seed);
 /// must leave it so too, and say why.
 bool fuzzRecipes(int recipes, unsigned seed);
 
+/// FOLD files that are random changes of the patterns in test/data and recipes/, and snapshots that
+/// are random changes of our own. True when each was read or rejected with a message, within two
+/// seconds of processor time and two gigabytes.
+bool fuzzFoldText(int inputs, unsigned seed);
+bool fuzzCbor(int inputs, unsigned seed);
+
+/// Random sequences of edits on random sheets. True when after each the sheet is valid and the
+/// paper made again of its snapshot goes on to the bit.
+bool fuzzEdits(int edits, unsigned seed);
+
 }  // namespace shell_origami

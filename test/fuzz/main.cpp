@@ -2,18 +2,20 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <map>
+#include <string>
 
 int main(int argc, char** argv) {
   using namespace shell_origami;
-  const unsigned seed = argc == 4 ? static_cast<unsigned>(std::atoi(argv[3])) : 1;
+  const std::map<std::string, bool (*)(int, unsigned)> kinds = {{"folds", fuzzFolds},
+                                                                {"recipes", fuzzRecipes},
+                                                                {"fold_text", fuzzFoldText},
+                                                                {"cbor", fuzzCbor},
+                                                                {"edits", fuzzEdits}};
+  const auto kind = argc >= 3 && argc <= 4 ? kinds.find(argv[1]) : kinds.end();
   const int count = argc >= 3 ? std::atoi(argv[2]) : 0;
-  if (count > 0 && argc <= 4 && std::strcmp(argv[1], "folds") == 0) {
-    return fuzzFolds(count, seed) ? 0 : 1;
-  }
-  if (count > 0 && argc <= 4 && std::strcmp(argv[1], "recipes") == 0) {
-    return fuzzRecipes(count, seed) ? 0 : 1;
-  }
-  std::fprintf(stderr, "usage: %s folds|recipes COUNT [SEED]\n", argv[0]);
+  const unsigned seed = argc == 4 ? static_cast<unsigned>(std::atoi(argv[3])) : 1;
+  if (kind != kinds.end() && count > 0) return kind->second(count, seed) ? 0 : 1;
+  std::fprintf(stderr, "usage: %s folds|recipes|fold_text|cbor|edits COUNT [SEED]\n", argv[0]);
   return 2;
 }
