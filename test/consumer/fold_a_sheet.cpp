@@ -8,7 +8,7 @@
 int main() {
   using namespace shell_origami;
   Simulation paper(Sheet(triangulateRectangle(0.15, 0.15, 0.015)), SimulationConfig());
-  FoldRequest fold;
+  FoldEdit fold;
   fold.where = Segment{Vector2(0, 0), Vector2(0.15, 0.15)};
   fold.angle = M_PI / 2;
   paper.fold(fold);

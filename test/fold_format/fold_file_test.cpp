@@ -404,7 +404,7 @@ TEST(WriteFold, keepsWhatThePatternAsksOfCreasesThatNoFoldHasDriven) {
   EXPECT_GT(std::count(kinds.begin(), kinds.end(), "V"), 0);
   Simulation reloaded(again.sheet, {}, *again.positions, again.rest_angles);
   for (const char* group : {"mountains", "valleys", "all"}) {
-    FoldRequest fold;
+    FoldEdit fold;
     fold.where = CreaseName{group};
     fold.angle = 0.1;
     EXPECT_FALSE(reloaded.fold(fold).crease_ids.empty()) << group;

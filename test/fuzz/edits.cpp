@@ -21,7 +21,7 @@ void edit(Simulation& paper, RandomSheets& random) {
   switch (random.below(8)) {
     case 0:
     case 1: {
-      FoldRequest fold;
+      FoldEdit fold;
       fold.where = random.line(sheet);
       fold.angle = random.between(-3, 3);
       fold.duration = random.between(0, 0.5);
@@ -32,7 +32,7 @@ void edit(Simulation& paper, RandomSheets& random) {
     case 2: {
       if (sheet.creases().empty()) break;
       const int crease = random.below(static_cast<int>(sheet.creases().size()));
-      FoldRequest fold;
+      FoldEdit fold;
       fold.where = CreaseName{sheet.creases()[static_cast<std::size_t>(crease)].name};
       fold.angle = random.between(-3, 3);
       fold.duration = random.between(0, 0.5);
@@ -42,7 +42,7 @@ void edit(Simulation& paper, RandomSheets& random) {
     case 3: paper.pin(std::vector<std::int64_t>{any_vertex(), any_vertex()}); break;
     case 4:
       if (paper.pinned().empty() || random.below(2) == 0) paper.unpin();
-      else paper.unpin({*paper.pinned().begin()});
+      else paper.unpin(std::vector<std::int64_t>{*paper.pinned().begin()});
       break;
     case 5: {
       const int which = random.below(static_cast<int>(sheet.edges().size()));

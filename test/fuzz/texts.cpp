@@ -56,7 +56,7 @@ std::vector<Json> snapshots() {
   std::vector<Json> result;
   for (const double angle : {0.0, 1.0}) {
     Simulation simulation(Sheet(triangulateRectangle(0.1, 0.08, 0.04)), {});
-    FoldRequest fold;
+    FoldEdit fold;
     fold.where = Segment{Vector2(0, 0.03), Vector2(0.1, 0.05)};
     fold.angle = angle;
     if (angle > 0) simulation.fold(fold);

@@ -90,7 +90,7 @@ REFUSALS = [
     ('load', dict(path='/nowhere/paper.fold'), ['/nowhere/paper.fold']),
     ('load', dict(path='/nowhere/recipe.yaml'), ['/nowhere/recipe.yaml']),
     ('load', dict(path='/tmp'), ['/tmp']),
-    ('load', dict(path='nowhere/paper.fold'), ['nowhere/paper.fold', os.path.expanduser('~/.ros')]),
+    ('load', dict(path='nowhere/paper.fold'), ['nowhere/paper.fold', os.environ.get('ROS_HOME', os.path.expanduser('~/.ros'))]),
     ('load', dict(path='/tmp/paper.fold', scale=-1), ['scale', '-1']),
     ('load', dict(path='/tmp/paper.fold', scale=NAN), ['scale', 'nan']),
     ('load', dict(path=temporary('scaled.yaml', 'sheet: {size: [0.1, 0.1]}'), scale=0.1),

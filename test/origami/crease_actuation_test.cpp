@@ -55,7 +55,7 @@ TEST(CreaseActuation, manyEntriesOfOneStepFoldAsTheirGroup) {
   source.scale = 0.15;
   source.max_edge = 0.02;
   Simulation group = makeSimulation(source, {}), entries = makeSimulation(source, {});
-  FoldRequest fold;
+  FoldEdit fold;
   fold.angle = 1;
   fold.where = CreaseName{"all"};
   group.fold(fold);

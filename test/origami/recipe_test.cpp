@@ -239,11 +239,10 @@ TEST_F(RecipeTest, ReadAgainWithItsDefaultsIsTheSame) {
 }
 
 TEST_F(RecipeTest, PassesOverAFoldedFormAndExpandsTheHomeFolder) {
-  const std::string patterns =
-      (std::filesystem::path(__FILE__).parent_path().parent_path() / "data/patterns").string();
+  const std::string patterns = std::filesystem::absolute("data/patterns").string();
   setenv("HOME", patterns.c_str(), 1);
   const Recipe recipe =
-      loadRecipe(write("sheet: {pattern: ~/01_diagonal-cp.fold, scale: 0.1, form: flat}"));
+      loadRecipe(write("sheet: {pattern: \"~/01_diagonal-cp.fold\", scale: 0.1, form: flat}"));
   EXPECT_EQ(recipe.sheet.form, FoldForm::kFlat);
   EXPECT_EQ(recipe.sheet.pattern, patterns + "/01_diagonal-cp.fold");
   EXPECT_EQ(makeSimulation(recipe.sheet, recipe.config).creases().size(), 1u);

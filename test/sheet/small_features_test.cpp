@@ -15,8 +15,8 @@ constexpr double kSide = 0.15, kMaxEdge = 0.01;
 
 Simulation square() { return {Sheet(triangulateRectangle(kSide, kSide, kMaxEdge)), {}}; }
 
-FoldRequest along(double x0, double y0, double x1, double y1) {
-  FoldRequest fold;
+FoldEdit along(double x0, double y0, double x1, double y1) {
+  FoldEdit fold;
   fold.where = Segment{Vector2(x0, y0), Vector2(x1, y1)};
   fold.angle = 1;
   return fold;
@@ -60,13 +60,13 @@ TEST(SmallFeatures, halvingsEndBeforeTheSolverDoes) {
   EXPECT_GT(halvings, 5);
   EXPECT_LT(halvings, 20);
   EXPECT_TRUE(paper.step().converged);
-  FoldRequest fold = along(0, 0.06, kSide, 0.06);
+  FoldEdit fold = along(0, 0.06, kSide, 0.06);
   paper.fold(fold);
   for (int i = 0; i < 30; ++i) ASSERT_TRUE(paper.step().converged) << "step " << i;
 }
 
 TEST(SmallFeatures, aLineHardlyOffTheBorderRunsAlongIt) {
-  for (const FoldRequest& fold :
+  for (const FoldEdit& fold :
        {along(0, 0, kSide, 1e-6), along(0, 1e-5, kSide, 1e-5), along(0.03, 1e-5, 0.11, 2e-5)}) {
     Simulation paper = square();
     const int before = paper.sheet().vertexCount();
@@ -81,7 +81,7 @@ TEST(SmallFeatures, aLineHardlyOffACreaseIsThatCrease) {
   const std::uint32_t crease = paper.fold(along(0, 0.06, kSide, 0.06)).crease_ids.at(0);
   const int before = paper.sheet().vertexCount();
   for (const double off : {1e-6, 1e-5, -5e-5}) {
-    const FoldResult again = paper.fold(along(0, 0.06 + off, kSide, 0.06));
+    const EditRecord again = paper.fold(along(0, 0.06 + off, kSide, 0.06));
     EXPECT_EQ(again.crease_ids, std::vector<std::uint32_t>{crease});
   }
   EXPECT_EQ(paper.sheet().vertexCount(), before);
@@ -94,7 +94,7 @@ TEST(SmallFeatures, linesAtTinyAnglesAreRejectedOrAddABoundedNumberOfVertices) {
   for (const double off : {1e-4, 2e-4, 5e-4, 1e-3, 2e-3}) {
     Simulation paper = square();
     const int before = paper.sheet().vertexCount();
-    for (const FoldRequest& fold : {along(0, 0, kSide, off), along(0, off, kSide, 2 * off)}) {
+    for (const FoldEdit& fold : {along(0, 0, kSide, off), along(0, off, kSide, 2 * off)}) {
       const std::string message = rejection([&] { paper.fold(fold); });
       if (message.empty()) ++accepted;
       else expectWithin(message, "the shortest possible is");
