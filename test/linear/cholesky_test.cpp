@@ -212,6 +212,10 @@ TEST(Cholesky, SolversInTurnAndInOtherThreadsKeepTheirMemoryApart) {
   std::thread thread([&] { solve_often(one, expected_one, one_good); });
   thread.join();
   EXPECT_TRUE(one_good) << "in another thread";
+  std::thread second([&] { solve_often(one, expected_one, one_good); });
+  solve_often(other, expected_other, other_good);
+  second.join();
+  EXPECT_TRUE(one_good && other_good) << "in two threads at once";
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ bool ImplicitSolver::solve(const StepInput& input, const Inertia& inertia, const
                                                  tolerance_ * dt, max_iterations_, x);
     report.newton_iterations += result.iterations;
     report.factorizations += result.factorizations;
+    report.analyses += result.analyses;
     report.newton_step_rate = result.last_step / dt;
     report.gradient_norm = result.gradient_norm;
     report.times += result.times;

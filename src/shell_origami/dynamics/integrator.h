@@ -40,6 +40,7 @@ struct StepReport {
   bool converged = true;
   int newton_iterations = 0;
   int factorizations = 0;
+  int analyses = 0;             ///< of the matrix pattern
   int retries = 0;              ///< times a step was cut in two
   double newton_step_rate = 0;  ///< largest displacement of the last Newton step, over dt [m/s]
   double gradient_norm = 0;     ///< of the objective, where the last Newton step started [N]

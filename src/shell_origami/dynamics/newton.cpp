@@ -46,7 +46,10 @@ bool Newton::assembleAndFactorize(const Positions& x, HessianKind kind, NewtonRe
   const std::vector<const Stencils*>& stencils = objective_.stencils();
   {
     const Timer timer(result.times.symbolic);
-    if (!system_.prepare(stencils)) return false;
+    const int before = system_.analyses();
+    const bool prepared = system_.prepare(stencils);
+    result.analyses += system_.analyses() - before;
+    if (!prepared) return false;
   }
   {
     const Timer timer(result.times.assembly);

@@ -32,6 +32,7 @@ struct NewtonResult {
   bool converged = false;
   int iterations = 0;
   int factorizations = 0;
+  int analyses = 0;          ///< of the matrix pattern, where stencils were not covered
   double gradient_norm = 0;  ///< of the objective, where the last step started [N]
   double last_step = 0;      ///< largest displacement of a vertex by the last full step [m]
   std::string failure;

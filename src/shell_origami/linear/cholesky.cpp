@@ -40,6 +40,9 @@ cholmod_sparse view(std::size_t size, const std::vector<int>& starts,
   return a;
 }
 
+/// libopenblas0-serial takes its workspaces from one table without a lock: one thread at a time.
+std::mutex blas_mutex;
+
 /// Keeps OpenMP from opening parallel regions in this thread as long as it lives. Debian's CHOLMOD
 /// opens one in its inner loop whatever OMP_NUM_THREADS says, at four times the cost of the
 /// factorization.
@@ -122,6 +125,7 @@ bool Cholesky::factorize(const BlockMatrix& matrix) {
   Implementation& own = *implementation_;
   cholmod_sparse a =
       view(matrix.size(), matrix.columnStarts(), matrix.rowIndices(), matrix.values().data());
+  const std::lock_guard<std::mutex> lock(blas_mutex);
   const SerialScope serial;
   const WorkspacePool::Use use(own.workspace);
   return cholmod_factorize(&a, own.factor, &own.common) && own.factor->minor == own.factor->n;
@@ -135,6 +139,7 @@ bool Cholesky::solve(Eigen::VectorXd& b) {
   rhs.x = b.data();
   rhs.xtype = CHOLMOD_REAL;
   rhs.dtype = CHOLMOD_DOUBLE;
+  const std::lock_guard<std::mutex> lock(blas_mutex);
   const SerialScope serial;
   if (!cholmod_solve2(CHOLMOD_A, own.factor, &rhs, nullptr, &own.solution, nullptr,
                       &own.workspace_y, &own.workspace_e, &own.common)) {
