@@ -5,21 +5,25 @@
 #include <cerrno>
 #include <cstdlib>
 
-// Defined in the program, these take the place of glibc's in every library; free() needs no other.
-extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* block, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-}
-
 namespace {
 
 shell_origami::Allocations counted;  // everything that is measured runs in one thread
 
 }  // namespace
 
+#if defined(__SANITIZE_ADDRESS__)
+
+// The address sanitizer's malloc, which must stay, calls this.
+extern "C" void __sanitizer_malloc_hook(const volatile void*, std::size_t) { ++counted.all; }
+
+#else
+
+// Defined in the program, these take the place of glibc's in every library; free() needs no other.
 extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* block, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
 
 void* malloc(std::size_t size) {
   ++counted.all;
@@ -48,6 +52,8 @@ int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
 }
 
 }  // extern "C"
+
+#endif
 
 namespace shell_origami {
 namespace {

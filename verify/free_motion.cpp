@@ -9,6 +9,7 @@ namespace {
 class Unchanged : public BoundaryConditions {
  public:
   void applyAt(double, Positions&) override {}
+  bool constant() const override { return true; }
 };
 
 }  // namespace

@@ -23,6 +23,7 @@ class Carry : public BoundaryConditions {
   void applyAt(double s, Positions& prescribed) override {
     prescribed = start_.colwise() + s * way_;
   }
+  bool constant() const override { return false; }  // tests change the gravity between steps
 
  private:
   Vector3 way_;

@@ -111,6 +111,7 @@ class Floor : public Potential {
 class Still : public BoundaryConditions {
  public:
   void applyAt(double, Positions&) override {}
+  bool constant() const override { return true; }
 };
 
 /// Moves the prescribed vertices by `way` within a step.
@@ -120,6 +121,7 @@ class Move : public BoundaryConditions {
   void applyAt(double s, Positions& prescribed) override {
     prescribed = start_.colwise() + s * way_;
   }
+  bool constant() const override { return false; }
 
  private:
   Vector3 way_;

@@ -69,13 +69,28 @@ Recipe randomRecipe(RandomSheets& random) {
   return recipe;
 }
 
-/// Folds the recipe to its end. Returns the sentence of a step that did not hold; empty: all did.
+/// Within this time [s] paper must come to rest.
+constexpr double kSettles = 25;
+
+/// Whether nothing moves the paper once it is folded: what it does by then, the air damps.
+bool mustSettle(const SimulationConfig& config) {
+  return config.gravity.isZero() && config.material.air_damping >= 1;
+}
+
+/// Folds the recipe to its end. Returns the error message of a step that did not converge; empty:
+/// all did. \throws std::logic_error when the paper does not settle
 std::string fold(const Recipe& recipe) {
   RecipeRunner runner(recipe);
   Simulation simulation = makeSimulation(recipe.sheet, recipe.config);
   while (runner.update(simulation)) {
     const StepReport report = simulation.step();
     checkWhole(simulation);
+    if (!report.converged) return report.failure;
+  }
+  const double end = simulation.time();
+  while (mustSettle(recipe.config) && !simulation.settled()) {
+    if (simulation.time() > end + kSettles) throw std::logic_error("it never settles");
+    const StepReport report = simulation.step();
     if (!report.converged) return report.failure;
   }
   simulation.sheet().validate();

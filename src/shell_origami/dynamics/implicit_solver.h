@@ -25,6 +25,12 @@ class ImplicitSolver {
   bool solve(const StepInput& input, const Inertia& inertia, const Positions& start, double dt,
              const Positions& before, Positions& x, StepReport& report);
 
+  /// Returns by how much the potentials at x, which solve() found last, are above those at `before`
+  /// [J].
+  double potentialChange(const Positions& before, const Positions& x) {
+    return newton_.potentialChange(before, x);
+  }
+
  private:
   double tolerance_;
   int max_iterations_;

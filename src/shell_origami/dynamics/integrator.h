@@ -56,6 +56,7 @@ struct StepInput {
   double air_damping;             ///< mass-proportional [1/s]
   const std::vector<bool>& free;  ///< one a vertex; the others are prescribed
   const Positions& prescribed;    ///< where those are at the end of the step [m]
+  bool constant;                  ///< no work is done on the paper: its energy cannot rise
 };
 
 class Integrator {

@@ -13,10 +13,13 @@ class Newmark : public Integrator {
   bool step(const StepInput& input, double dt, Motion& motion, StepReport& report) override;
 
  private:
+  bool gainsEnergy(const StepInput& input, const Motion& motion);
+
+  double tolerance_;
   double beta_, gamma_;
   ImplicitSolver& solver_;
   // Scratch, kept between steps.
-  Positions predicted_, velocity_, velocity_before_, acceleration_before_, start_, x_;
+  Positions predicted_, velocity_, velocity_after_, acceleration_after_, start_, x_;
   Inertia inertia_;
 };
 

@@ -142,6 +142,10 @@ void Newton::remember(const Positions& x) {
   base_.slope = gradient_.cwiseProduct(step_).sum();
 }
 
+double Newton::potentialChange(const Positions& before, const Positions& x) {
+  return objective_.potentialChange(before, x);
+}
+
 NewtonResult Newton::minimize(const Potentials& potentials, const Eigen::VectorXd& masses,
                               const Inertia& inertia, const Positions& before, double tolerance,
                               int max_iterations, Positions& x) {

@@ -65,6 +65,10 @@ class Newton {
                         const Inertia& inertia, const Positions& before, double tolerance,
                         int max_iterations, Positions& x);
 
+  /// Returns by how much the potentials at x, the minimum found last, are above those at `before`
+  /// of that search [J].
+  double potentialChange(const Positions& before, const Positions& x);
+
  private:
   /// Where a search along a step begins.
   struct Base {

@@ -25,9 +25,18 @@ double Objective::evaluate(const Positions& x, Place from, Place at) const {
     sum += term.potential->value(x, *(term.*from), *(term.*at));
     if (!std::isfinite(sum)) return std::numeric_limits<double>::infinity();
   }
-  if (!inertia_) return sum;
+  return sum + inertiaAt(x);
+}
+
+double Objective::inertiaAt(const Positions& x) const {
+  if (!inertia_) return 0;
   const double distance = (x - inertia_->anchor).colwise().squaredNorm().dot(masses_->transpose());
-  return sum + inertia_->stiffness / 2 * distance;
+  return inertia_->stiffness / 2 * distance;
+}
+
+double Objective::potentialChange(const Positions& before, const Positions& x) {
+  const double start = evaluate(before, &Term::before, &Term::trial);
+  return (value_ - start) - (inertiaAt(x) - inertiaAt(before));
 }
 
 void Objective::start(const Positions& before) {

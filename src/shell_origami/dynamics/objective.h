@@ -62,6 +62,9 @@ class Objective {
   double tryFromBase(const Positions& x);
   /// Makes the trial, which is at x + displacement, the current configuration.
   void accept(const Positions& x, const Positions& displacement);
+  /// Returns by how much the potentials at the current configuration x are above those at `before`
+  /// [J]. The trial is lost.
+  double potentialChange(const Positions& before, const Positions& x);
   /// Keeps the current configuration as the base; the next call must be accept().
   void keepAsBase();
 
@@ -76,6 +79,7 @@ class Objective {
   using Place = std::unique_ptr<Potential::Iterate> Term::*;
 
   double evaluate(const Positions& x, Place from, Place at) const;
+  double inertiaAt(const Positions& x) const;
   void gradientAt(const Positions& x, Place at, Positions& gradient);
 
   std::vector<Term> terms_;

@@ -39,7 +39,9 @@ void Stepper::setFree(std::vector<bool> free) {
 bool Stepper::take(Integrator& integrator, const Whole& whole, double from, double to,
                    Motion& motion, StepReport& report) {
   whole.conditions.applyAt(to, prescribed_);
-  const StepInput input{whole.potentials, whole.masses, whole.air_damping, free_, prescribed_};
+  const StepInput input{whole.potentials,  whole.masses,
+                        whole.air_damping, free_,
+                        prescribed_,       whole.conditions.constant()};
   return integrator.step(input, (to - from) * config_.time_step, motion, report);
 }
 
@@ -82,7 +84,7 @@ StepReport Stepper::relax(const Potentials& potentials, const Eigen::VectorXd& m
   for (int round = 0; round < kMostRounds && length >= kShortest; ++round) {
     const double dt = length * config_.time_step;
     Positions next;
-    if (!solver_->solve({potentials, masses, 0, free_, start}, {1 / (dt * dt), x}, x,
+    if (!solver_->solve({potentials, masses, 0, free_, start, true}, {1 / (dt * dt), x}, x,
                         config_.time_step, x, next, report)) {
       ++report.retries;
       length *= kShrink;

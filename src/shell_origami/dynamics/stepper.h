@@ -16,6 +16,8 @@ class BoundaryConditions {
   /// Puts the potentials (rest angles, say) and, in `prescribed`, the vertices that are not free
   /// [m] where they are at fraction s in (0, 1] of the whole step.
   virtual void applyAt(double s, Positions& prescribed) = 0;
+  /// Whether nothing changes within the step, so that no work is done on the paper.
+  virtual bool constant() const = 0;
 };
 
 class Stepper {

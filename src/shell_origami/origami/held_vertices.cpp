@@ -2,6 +2,7 @@
 
 #include <shell_origami/base/error.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -85,6 +86,11 @@ void HeldVertices::place(double s, Positions& positions) const {
     const Pose pose = poseBetween(grip.pose, grip.next, s);
     for (const auto& [v, place] : grip.places) positions.col(v) = pose.toWorld(place);
   }
+}
+
+bool HeldVertices::moving() const {
+  return std::any_of(grips_.begin(), grips_.end(),
+                     [](const auto& grip) { return !(grip.second.pose == grip.second.next); });
 }
 
 void HeldVertices::arrive() {

@@ -67,6 +67,8 @@ class HeldVertices {
   void carry(const std::string& frame, const Pose& pose) { grips_.at(frame).next = pose; }
   /// Puts carried vertices where they stand a part s in (0, 1] of the next step on.
   void place(double s, Positions& positions) const;
+  /// Whether the next step carries vertices to other places.
+  bool moving() const;
   /// The step has converged.
   void arrive();
 

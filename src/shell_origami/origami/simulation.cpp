@@ -47,6 +47,8 @@ class Simulation::StepConditions : public BoundaryConditions {
     simulation_.held_.place(s, prescribed);
   }
 
+  bool constant() const override { return !simulation_.folding() && !simulation_.held_.moving(); }
+
  private:
   Simulation& simulation_;
 };
@@ -94,8 +96,10 @@ Simulation::Simulation(const Snapshot& snapshot)
 }
 
 Snapshot Simulation::snapshot() const {
-  return {config_, sheet_,           motion_,   creases_, rest_,
-          held_,   stepper_.state(), counters_, time_,    resting_};
+  Snapshot snapshot{config_, sheet_,           motion_,   creases_, rest_,
+                    held_,   stepper_.state(), counters_, time_,    resting_};
+  snapshot.creases.synchronize(time_);
+  return snapshot;
 }
 
 void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_before) {
@@ -165,6 +169,8 @@ StepReport Simulation::step() {
     time_ += config_.solver.time_step;
     return {};
   }
+  // Here and not in each fold: of many that begin together each would look at all.
+  creases_.synchronize(time_);
   StepConditions conditions(*this);
   const SolverState solver = stepper_.state();
   const StepReport report = counted(stepper_.step(

@@ -59,7 +59,6 @@ FoldEdit Simulation::make(const FoldEdit& edit, EditRecord& record) {
     foldLine(between, made, record);
     made.where = between;
   }
-  creases_.synchronize(time_);
   updateRestState(time_);
   return made;
 }
