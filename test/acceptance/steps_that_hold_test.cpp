@@ -100,7 +100,7 @@ TEST(StepsThatHold, AHeldSheetPulledApartGivesUpAndSaysWhere) {
   Simulation simulation = square({});
   simulation.pin(Region{{{0.14, 0}, {kSide, 0}, {kSide, kSide}, {0.14, kSide}}}, "hand", {});
   simulation.pin(Region{{{0, 0}, {0.01, 0}, {0.01, kSide}, {0, kSide}}});
-  simulation.carry("hand", Pose{Vector3(1e4, 0, 0)});
+  simulation.carry("hand", Pose{Vector3(1000, 0, 0)});
   const Positions before = simulation.positions();
   const StepReport report = simulation.step();
   expectWhole(simulation);

@@ -22,7 +22,7 @@ REFUSALS = [
     ('material/thickness', -1, ['material/thickness', '-1']),
     ('material/youngs_modulus', 0.0, ['material/youngs_modulus', '0']),
     ('material/poisson_ratio', 0.5, ['material/poisson_ratio', '0.5']),
-    ('material/density', float('inf'), ['material/density', 'inf']),
+    ('material/density', float('inf'), ['material/density', 'inf', 'finite']),
     ('material/crease_stiffness', -1.0, ['material/crease_stiffness', '-1']),
     ('material/air_damping', -1.0, ['material/air_damping', '-1']),
     ('material/membrane', 'rubber', ['material/membrane', 'rubber', 'st_venant_kirchhoff']),
@@ -34,15 +34,20 @@ REFUSALS = [
     ('gravity', -9.81, ['gravity', '-9.81', 'three']),
     ('gravity', [0, 0], ['gravity', 'three']),
     ('gravity', [0, 0, 'down'], ['gravity', 'down']),
+    ('gravity', [0, 0, -2e4], ['gravity', '[0, 0, -20000]', 'from -10000 to 10000']),
     ('solver/integrator', 'runge_kutta', ['solver/integrator', 'runge_kutta', 'newmark']),
     ('solver/time_step', 0, ['solver/time_step', '0']),
-    ('solver/tolerance', -1e-3, ['solver/tolerance', '-0.001']),
+    ('solver/tolerance', -1e-3, ['solver/tolerance', '-0.001', '> 0 and finite']),
     ('solver/max_iterations', 2.5, ['solver/max_iterations', '2.5', 'integer']),
     ('solver/max_iterations', 0, ['solver/max_iterations', '0']),
     ('fold_duration', -1, ['fold_duration', '-1']),
     ('publish_rate', 0, ['publish_rate', '0']),
     ('world_frame', '', ['world_frame']),
     ('world_frame', '/world', ['world_frame', '/world']),
+    ('world_frame', 'paper', ['world_frame', '"paper"', 'own frames']),
+    ('world_frame', 'panel_0', ['world_frame', '"panel_0"', 'own frames']),
+    ('frame_prefix', '/left', ['frame_prefix', '/left', 'slash']),
+    ('diagnostic_period', 0, ['diagnostic_period', '0', 'from 0.1 to 1e6']),
     ('paused', 'yes', ['paused', 'yes', 'true or false']),
     ('colouring', 'rainbow', ['colouring', 'rainbow', 'curvature or paper or strain']),
     ('clock', 'sundial', ['clock', 'sundial', 'follow or lead']),
@@ -87,7 +92,9 @@ class ParametersTest(unittest.TestCase):
 
     def test_integers_do_for_numbers(self):
         rospy.set_param(NAME, {'material': {'density': 800}, 'gravity': [0, 0, -10],
-                               'solver': {'max_iterations': 20.0}})
+                               'solver': {'max_iterations': 20.0},
+                               # Of diagnostic_updater, in whose name it is often set.
+                               'diagnostic_period': 2, 'world_frame': 'panel_beater'})
         node = self.start()
         rospy.wait_for_service(NAME + '/step', 10)
         node.send_signal(signal.SIGINT)

@@ -69,23 +69,3 @@ def flat(tree, prefix=''):
 def manual():
     """{parameter: its default} of config/origami.yaml."""
     return flat(yaml.safe_load(read('config', 'origami.yaml')))
-
-
-def manual_comments():
-    """{parameter: what is said beside it and in the lines above it}"""
-    result, folder, above = {}, '', []
-    for text in read('config', 'origami.yaml').split('\n'):
-        entry = re.match(r'( *)(\w+):([^#]*)(?:#(.*))?$', text)
-        if text.strip().startswith('#'):
-            above.append(text.strip(' #'))
-        elif not entry:
-            above = []
-        else:
-            indent, name, value, beside = entry.groups()
-            folder = folder if indent else ''
-            if value.strip():
-                result[folder + name] = ' '.join(above + [(beside or '').strip()])
-            else:
-                folder = name + '/'
-            above = []
-    return result

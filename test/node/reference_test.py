@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """doc/reference.md and config/origami.yaml name every topic, service, action and parameter that there
-is, with the types, defaults and bounds that the nodes have."""
+is, with the types, defaults and bounds that the nodes have. (That both say what the table of parameters
+says is tested by parameter_table_test.cpp.)"""
 
 import glob
 import multiprocessing.pool
@@ -185,21 +186,6 @@ class ReferenceTest(unittest.TestCase):
                         silent.append('%s: %s' % (os.path.basename(path), text))
         self.assertEqual(silent, [])
         self.assertGreater(seen, 80)
-
-    def test_the_manual_says_the_same(self):
-        defaults, comments = reference.manual(), reference.manual_comments()
-        rows = {reference.names(row['parameter'])[0]: row for row in PARAMETERS}
-        self.assertEqual(set(rows), set(defaults))
-        for name, row in rows.items():
-            self.assertEqual(yaml.safe_load(row['default'].strip('`')), defaults[name], name)
-            said = comments[name]
-            if reference.bounds(row):
-                self.assertIn(row['bounds'], said, name)
-            for word in set(reference.choices(row)) - {'true', 'false'}:
-                self.assertIn(word, said, name)
-            self.assertEqual(re.findall(r'\[([^\]]*)\]', said)[:1], [row['unit']] if row['unit'] else [],
-                             name)
-            self.assertEqual(bool(re.search(r'\blive\b', said)), bool(row['live']), name)
 
     def test_defaults_are_those_of_a_node_without_parameters(self):
         manual = reference.manual()

@@ -54,8 +54,9 @@ class ReplayTest(NodeTest):
     def replay(self):
         program = roslib.packages.find_node('shell_origami', 'origami_markers')[0]
         drawn = Recorder('/replayed/markers', MarkerArray)
-        rospy.set_param('/replayed/colouring', rospy.get_param('/origami/colouring'))
-        painter = subprocess.Popen([program, '__name:=replayed'])
+        rospy.set_param('/painter', {'origami': 'replayed',
+                                   'colouring': rospy.get_param('/origami/colouring')})
+        painter = subprocess.Popen([program, '__name:=painter'])
         player = subprocess.Popen(
             ['rosbag', 'play', '--quiet', '--rate', '2', '--delay', '1', self.bag] +
             [topic + ':=/replayed' + topic.replace('/origami', '') for topic in TOPICS])

@@ -2,7 +2,6 @@
 /// How the core refuses what makes no sense: one sentence that names the offending value.
 #pragma once
 
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -15,14 +14,6 @@ template <class... Parts>
   std::ostringstream sentence;
   (sentence << ... << parts);
   throw std::invalid_argument(sentence.str());
-}
-
-/// The words that may stand where another stood: "a or b".
-template <class Value>
-std::string alternatives(const std::map<std::string, Value>& choices) {
-  std::string words;
-  for (const auto& entry : choices) words += (words.empty() ? "" : " or ") + entry.first;
-  return words;
 }
 
 }  // namespace shell_origami

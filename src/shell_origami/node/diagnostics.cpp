@@ -5,7 +5,6 @@
 namespace shell_origami {
 namespace {
 
-constexpr double kPeriod = 1;  ///< [s]
 /// Session tears before it is stretched so far.
 constexpr double kMostStrain = 0.02;
 
@@ -22,7 +21,7 @@ Diagnostics::Diagnostics(ros::NodeHandle& node, OrigamiNode& origami)
   updater_.add("solver", [this](Status& status) { solver(status); });
   updater_.add("pace", [this](Status& status) { pace(status); });
   updater_.add("paper", [this](Status& status) { paper(status); });
-  timer_ = node.createSteadyTimer(ros::WallDuration(kPeriod),
+  timer_ = node.createSteadyTimer(ros::WallDuration(origami.config().diagnostic_period),
                                   [this](const ros::SteadyTimerEvent&) { update(); });
 }
 

@@ -8,7 +8,7 @@
 
 namespace shell_origami {
 
-/// Once a second by the wall clock, also while simulation time stands still: how the solver fares,
+/// Once a period by the wall clock, also while simulation time stands still: how the solver fares,
 /// whether the node keeps pace, and how the paper is. Figures of a period are those since the
 /// message before.
 class Diagnostics {

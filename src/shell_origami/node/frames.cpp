@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -88,22 +90,32 @@ std::vector<Panel> findPanels(const Sheet& sheet) {
   return panels;
 }
 
+bool isPaperFrame(const std::string& frame, const std::string& prefix) {
+  if (frame == prefix + "paper") return true;
+  const std::string panel = prefix + "panel_";
+  return frame.size() > panel.size() && frame.compare(0, panel.size(), panel) == 0 &&
+         std::all_of(frame.begin() + static_cast<std::ptrdiff_t>(panel.size()), frame.end(),
+                     [](unsigned char letter) { return std::isdigit(letter); });
+}
+
 std::vector<geometry_msgs::TransformStamped> paperFrames(const Sheet& sheet,
                                                          const std::vector<Panel>& panels,
                                                          const Positions& positions,
-                                                         const std_msgs::Header& header) {
+                                                         const std_msgs::Header& header,
+                                                         const std::string& prefix) {
   std::vector<int> all(sheet.vertexCount());
   std::iota(all.begin(), all.end(), 0);
   const Eigen::Isometry3d paper = rigidFit(sheet, all, positions);
-  std::vector<geometry_msgs::TransformStamped> frames = {frame(paper, "paper", header)};
+  std::vector<geometry_msgs::TransformStamped> frames = {frame(paper, prefix + "paper", header)};
 
   std_msgs::Header on_paper = header;
-  on_paper.frame_id = "paper";
+  on_paper.frame_id = prefix + "paper";
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Vector3 centroid(panels[i].centroid.x(), panels[i].centroid.y(), 0);
     const Eigen::Isometry3d panel =
         rigidFit(sheet, panels[i].vertices, positions) * Eigen::Translation3d(centroid);
-    frames.push_back(frame(paper.inverse() * panel, "panel_" + std::to_string(i), on_paper));
+    frames.push_back(
+        frame(paper.inverse() * panel, prefix + "panel_" + std::to_string(i), on_paper));
   }
   return frames;
 }

@@ -7,6 +7,7 @@
 #include <geometry_msgs/TransformStamped.h>
 #include <std_msgs/Header.h>
 
+#include <string>
 #include <vector>
 
 namespace shell_origami {
@@ -20,13 +21,18 @@ struct Panel {
 /// In the order of each panel's first triangle.
 std::vector<Panel> findPanels(const Sheet& sheet);
 
-/// Frames of the paper at `positions`, stamped and rooted as the header says:
-/// header.frame_id -> paper is the best rigid fit (Kabsch) of the flat sheet to the paper;
-/// paper -> panel_<n> the best fit of panel n, at its centroid. While the paper is flat all
+/// Whether paper whose frames begin with `prefix` has or may come to have a frame of this name:
+/// paper, or panel_<n>.
+bool isPaperFrame(const std::string& frame, const std::string& prefix);
+
+/// Frames of the paper at `positions`, stamped and rooted as the header says, their names beginning
+/// with `prefix`: header.frame_id -> paper is the best rigid fit (Kabsch) of the flat sheet to the
+/// paper; paper -> panel_<n> the best fit of panel n, at its centroid. While the paper is flat all
 /// panels are parallel to it.
 std::vector<geometry_msgs::TransformStamped> paperFrames(const Sheet& sheet,
                                                          const std::vector<Panel>& panels,
                                                          const Positions& positions,
-                                                         const std_msgs::Header& header);
+                                                         const std_msgs::Header& header,
+                                                         const std::string& prefix);
 
 }  // namespace shell_origami

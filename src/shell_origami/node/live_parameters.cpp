@@ -1,8 +1,10 @@
 #include <shell_origami/node/live_parameters.h>
 
-#include <algorithm>
-#include <array>
+#include <map>
 #include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
 
 namespace shell_origami {
 namespace {
@@ -10,21 +12,53 @@ namespace {
 /// How often to look whether another paper has brought other values [s].
 constexpr double kFollowPeriod = 0.2;
 
-using Number = double OrigamiConfig::*;
-constexpr std::array<Number, 7> kNumbers = {
-    &OrigamiConfig::gravity_x,       &OrigamiConfig::gravity_y,     &OrigamiConfig::gravity_z,
-    &OrigamiConfig::air_damping,     &OrigamiConfig::fold_duration, &OrigamiConfig::publish_rate,
-    &OrigamiConfig::real_time_factor};
+/// Where a parameter's value, or one of its components, lies; by its name under ~live.
+struct LiveField {
+  std::string name;
+  std::variant<double*, bool*> value;
+  Bounds bounds;
+};
 
-bool same(const OrigamiConfig& a, const OrigamiConfig& b) {
-  return a.vertex_ids == b.vertex_ids &&
-         std::all_of(kNumbers.begin(), kNumbers.end(), [&](Number n) { return a.*n == b.*n; });
+/// Those that the table of parameters calls live.
+std::vector<LiveField> liveFields(NodeConfig& config) {
+  std::vector<LiveField> fields;
+  for (const auto& parameter : nodeParameters()) {
+    if (!parameter.live) continue;
+    const std::string name = parameter.name.substr(parameter.name.rfind('/') + 1);
+    const Place place = parameter.place(config);
+    if (const auto* list = std::get_if<Vector3*>(&place)) {
+      for (int i = 0; i < 3; ++i) {
+        fields.push_back({name + "_" + "xyz"[i], &(**list)[i], parameter.bounds});
+      }
+    } else if (const auto* truth = std::get_if<bool*>(&place)) {
+      fields.push_back({name, *truth, parameter.bounds});
+    } else {
+      fields.push_back({name, std::get<double*>(place), parameter.bounds});
+    }
+  }
+  return fields;
 }
 
-LiveConfig physics(const OrigamiConfig& config) {
-  return {{config.gravity_x, config.gravity_y, config.gravity_z},
-          config.air_damping,
-          config.fold_duration};
+using Values = std::map<std::string, double>;  ///< true: 1
+
+Values valuesOf(const OrigamiConfig& config) {
+  dynamic_reconfigure::Config message;
+  config.__toMessage__(message);
+  Values values;
+  for (const auto& number : message.doubles) values[number.name] = number.value;
+  for (const auto& truth : message.bools) values[truth.name] = truth.value;
+  return values;
+}
+
+/// \pre there is a value of every name in cfg/Origami.cfg
+OrigamiConfig configOf(const Values& values) {
+  OrigamiConfig config = OrigamiConfig::__getDefault__();
+  dynamic_reconfigure::Config message;
+  config.__toMessage__(message);
+  for (auto& number : message.doubles) number.value = values.at(number.name);
+  for (auto& truth : message.bools) truth.value = values.at(truth.name) != 0;
+  config.__fromMessage__(message);
+  return config;
 }
 
 bool same(const LiveConfig& a, const SimulationConfig& b) {
@@ -49,48 +83,47 @@ LiveParameters::LiveParameters(ros::NodeHandle& node, OrigamiNode& origami)
                                   [this](const ros::SteadyTimerEvent&) { follow(); });
 }
 
-OrigamiConfig LiveParameters::current() const {
-  const SimulationConfig& paper = origami_.session().simulation().config();
-  OrigamiConfig config = OrigamiConfig::__getDefault__();
-  config.gravity_x = paper.gravity.x();
-  config.gravity_y = paper.gravity.y();
-  config.gravity_z = paper.gravity.z();
-  config.air_damping = paper.material.air_damping;
-  config.fold_duration = paper.fold_duration;
-  config.publish_rate = origami_.config().publish_rate;
-  config.real_time_factor = origami_.config().real_time_factor;
-  config.vertex_ids = origami_.config().vertex_ids;
+/// The parameters of the node and of the paper that lies there.
+NodeConfig LiveParameters::parameters() const {
+  NodeConfig config = origami_.config();
+  config.simulation = origami_.session().simulation().config();
   return config;
+}
+
+OrigamiConfig LiveParameters::current() const {
+  NodeConfig config = parameters();
+  Values values;
+  for (const auto& [name, value, bounds] : liveFields(config)) {
+    std::visit([&, name = name](auto* place) { values[name] = *place; }, value);
+  }
+  return configOf(values);
 }
 
 /// Tells whoever draws sliders of bounds and of the values to go back to. The generated bounds are
 /// infinite: a value beyond them would be moved there without a word.
 void LiveParameters::describe() {
-  OrigamiConfig low = OrigamiConfig::__getMin__(), high = OrigamiConfig::__getMax__();
-  const auto bound = [&](Number number, const Bounds& bounds) {
-    low.*number = bounds.low;
-    high.*number = bounds.high;
-  };
-  bound(&OrigamiConfig::gravity_x, kGravityBounds);
-  bound(&OrigamiConfig::gravity_y, kGravityBounds);
-  bound(&OrigamiConfig::gravity_z, kGravityBounds);
-  bound(&OrigamiConfig::air_damping, kAirDampingBounds);
-  bound(&OrigamiConfig::publish_rate, kPublishRateBounds);
-  low.fold_duration = 0;
-  low.real_time_factor = 0;
-  server_.setConfigMin(low);
-  server_.setConfigMax(high);
+  NodeConfig config = parameters();
+  Values low, high;
+  for (const auto& [name, value, bounds] : liveFields(config)) {
+    const bool number = std::holds_alternative<double*>(value);
+    low[name] = number ? bounds.low : 0;
+    high[name] = number ? bounds.high : 1;
+  }
+  server_.setConfigMin(configOf(low));
+  server_.setConfigMax(configOf(high));
   server_.setConfigDefault(shown_);
 }
 
 /// Only what differs from what was shown is wanted: another paper may have brought other values
 /// meanwhile.
 void LiveParameters::change(OrigamiConfig& config) {
-  OrigamiConfig wanted = current();
-  for (const Number number : kNumbers) {
-    if (config.*number != shown_.*number) wanted.*number = config.*number;
+  const Values asked = valuesOf(config), shown = valuesOf(shown_);
+  NodeConfig wanted = parameters();
+  for (const auto& [name, value, bounds] : liveFields(wanted)) {
+    if (asked.at(name) == shown.at(name)) continue;
+    if (auto* const* number = std::get_if<double*>(&value)) **number = asked.at(name);
+    else *std::get<bool*>(value) = asked.at(name) != 0;
   }
-  if (config.vertex_ids != shown_.vertex_ids) wanted.vertex_ids = config.vertex_ids;
   try {
     apply(wanted);
   } catch (const std::invalid_argument& error) {
@@ -100,20 +133,17 @@ void LiveParameters::change(OrigamiConfig& config) {
 }
 
 /// \throws std::invalid_argument and then has changed nothing.
-void LiveParameters::apply(const OrigamiConfig& wanted) {
-  NodeConfig node = origami_.config();
-  node.publish_rate = wanted.publish_rate;
-  node.real_time_factor = wanted.real_time_factor;
-  node.vertex_ids = wanted.vertex_ids;
-  checkParameters(node);
-  const LiveConfig live = physics(wanted);
+void LiveParameters::apply(const NodeConfig& wanted) {
+  checkParameters(wanted);
+  const SimulationConfig& paper = wanted.simulation;
+  const LiveConfig live{paper.gravity, paper.material.air_damping, paper.fold_duration};
   if (!same(live, origami_.session().simulation().config())) origami_.apply(ConfigureEdit{live});
-  origami_.configure(node);
+  origami_.configure(wanted);
 }
 
 void LiveParameters::follow() {
   const OrigamiConfig now = current();
-  if (same(now, shown_)) return;
+  if (valuesOf(now) == valuesOf(shown_)) return;
   shown_ = now;
   server_.updateConfig(shown_);
 }

@@ -16,10 +16,11 @@ class LiveParameters {
   LiveParameters(ros::NodeHandle& node, OrigamiNode& origami);
 
  private:
+  NodeConfig parameters() const;
   OrigamiConfig current() const;
   void describe();
   void change(OrigamiConfig& config);
-  void apply(const OrigamiConfig& wanted);
+  void apply(const NodeConfig& wanted);
   void follow();
 
   OrigamiNode& origami_;

@@ -68,54 +68,51 @@ ParameterReader::ParameterReader(const ros::NodeHandle& node) {
   }
 }
 
-bool ParameterReader::take(const std::string& name, XmlRpcValue& value) {
+void ParameterReader::read(const std::string& name, const Place& place) {
   const auto found = unread_.find(name);
-  if (found == unread_.end()) return false;
-  value = found->second;
+  if (found == unread_.end()) return;
+  std::visit([&](const auto& value) { set(name, found->second, value); }, place);
   unread_.erase(found);
-  return true;
 }
 
-void ParameterReader::read(const std::string& name, bool& value) {
-  XmlRpcValue given;
-  if (!take(name, given)) return;
-  if (given.getType() != XmlRpcValue::TypeBoolean) rejectValue(name, given, "true or false");
-  value = static_cast<bool&>(given);
+void ParameterReader::set(const std::string& name, Value& given, bool* value) const {
+  if (given.getType() != Value::TypeBoolean) rejectValue(name, given, "true or false");
+  *value = static_cast<bool&>(given);
 }
 
-void ParameterReader::read(const std::string& name, int& value) {
-  XmlRpcValue given;
-  if (!take(name, given)) return;
+void ParameterReader::set(const std::string& name, Value& given, int* value) const {
   const double result = number(name, given, given);
   if (result != std::floor(result) || std::abs(result) > 1e9) {
     rejectValue(name, given, "an integer");
   }
-  value = static_cast<int>(result);
+  *value = static_cast<int>(result);
 }
 
-void ParameterReader::read(const std::string& name, double& value) {
-  XmlRpcValue given;
-  if (take(name, given)) value = number(name, given, given);
+void ParameterReader::set(const std::string& name, Value& given, double* value) const {
+  *value = number(name, given, given);
 }
 
-void ParameterReader::read(const std::string& name, std::string& value) {
-  XmlRpcValue given;
-  if (!take(name, given)) return;
-  if (given.getType() != XmlRpcValue::TypeString) rejectValue(name, given, "a string");
-  value = static_cast<std::string&>(given);
+void ParameterReader::set(const std::string& name, Value& given, std::string* value) const {
+  if (given.getType() != Value::TypeString) rejectValue(name, given, "a string");
+  *value = static_cast<std::string&>(given);
 }
 
-void ParameterReader::read(const std::string& name, Vector3& value) {
-  XmlRpcValue given;
-  if (!take(name, given)) return;
-  if (given.getType() != XmlRpcValue::TypeArray || given.size() != 3) {
+void ParameterReader::set(const std::string& name, Value& given, Vector3* value) const {
+  if (given.getType() != Value::TypeArray || given.size() != 3) {
     rejectValue(name, given, "a list of three numbers");
   }
-  for (int i = 0; i < 3; ++i) value[i] = number(name, given, given[i]);
+  for (int i = 0; i < 3; ++i) (*value)[i] = number(name, given, given[i]);
 }
 
-void ParameterReader::ignore(const std::string& folder) {
-  const std::string prefix = folder + "/";
+void ParameterReader::set(const std::string& name, Value& given, const Choice& choice) const {
+  std::string word;
+  set(name, given, &word);
+  if (!choice.set(word)) rejectValue(name, given, choice.text());
+}
+
+void ParameterReader::ignore(const std::string& name) {
+  unread_.erase(name);
+  const std::string prefix = name + "/";
   for (auto entry = unread_.begin(); entry != unread_.end();) {
     const bool within = entry->first.compare(0, prefix.size(), prefix) == 0;
     entry = within ? unread_.erase(entry) : std::next(entry);

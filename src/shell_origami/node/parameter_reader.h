@@ -2,56 +2,41 @@
 /// Reads the parameters of a namespace and remembers which of them nobody asked for.
 #pragma once
 
-#include <shell_origami/base/error.h>
-#include <shell_origami/base/geometry.h>
+#include <shell_origami/origami/parameter.h>
 
 #include <ros/node_handle.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
-#include <algorithm>
 #include <map>
 #include <string>
 
 namespace shell_origami {
 
-/// Each read() leaves `value` alone when the parameter is not set.
-/// \throws std::invalid_argument with one sentence that names the parameter and its value, when
-///         the type is wrong or a number is not finite.
+/// Reads into places, and leaves those alone whose parameters are not set.
+/// \throws std::invalid_argument that names the parameter and its value, when the type is wrong, a
+///         number is not finite, or a word is not one of a choice's.
 class ParameterReader {
  public:
   explicit ParameterReader(const ros::NodeHandle& node);
 
-  void read(const std::string& name, bool& value);
-  void read(const std::string& name, int& value);
-  void read(const std::string& name, double& value);
-  void read(const std::string& name, std::string& value);
-  void read(const std::string& name, Vector3& value);
+  void read(const std::string& name, const Place& place);
 
-  /// Passes over every parameter of this folder.
-  void ignore(const std::string& folder);
+  /// Passes over the parameter of this name, or every one of the folder of this name.
+  void ignore(const std::string& name);
 
   /// \throws std::invalid_argument when a parameter is set that nobody has read.
   void rejectUnread() const;
 
  private:
-  bool take(const std::string& name, XmlRpc::XmlRpcValue& value);
+  using Value = XmlRpc::XmlRpcValue;
+  void set(const std::string& name, Value& given, bool* value) const;
+  void set(const std::string& name, Value& given, int* value) const;
+  void set(const std::string& name, Value& given, double* value) const;
+  void set(const std::string& name, Value& given, std::string* value) const;
+  void set(const std::string& name, Value& given, Vector3* value) const;
+  void set(const std::string& name, Value& given, const Choice& choice) const;
 
-  std::map<std::string, XmlRpc::XmlRpcValue> unread_;
+  std::map<std::string, Value> unread_;
 };
-
-/// Reads a parameter that is one of a few words.
-template <class Value>
-void readChoice(ParameterReader& reader, const std::string& name,
-                const std::map<std::string, Value>& choices, Value& value) {
-  std::string word = std::find_if(choices.begin(), choices.end(), [&](const auto& entry) {
-                       return entry.second == value;
-                     })->first;
-  reader.read(name, word);
-  const auto found = choices.find(word);
-  if (found == choices.end()) {
-    reject("parameter ~", name, " is \"", word, "\", but must be ", alternatives(choices));
-  }
-  value = found->second;
-}
 
 }  // namespace shell_origami

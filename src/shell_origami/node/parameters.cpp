@@ -1,83 +1,99 @@
 #include <shell_origami/node/parameters.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/node/frames.h>
 #include <shell_origami/node/parameter_reader.h>
 
 #include <ros/package.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <system_error>
 
 namespace shell_origami {
 namespace {
 
+const std::map<std::string, ClockMode>& clockNames() {
+  static const std::map<std::string, ClockMode> names{{"follow", ClockMode::kFollow},
+                                                      {"lead", ClockMode::kLead}};
+  return names;
+}
+
 template <class Value>
-void require(bool holds, const std::string& name, const Value& value, const std::string& wanted) {
-  if (!holds) reject("parameter ~", name, " is ", value, ", but must be ", wanted);
+std::function<Place(NodeConfig&)> at(Value NodeConfig::*member) {
+  return [member](NodeConfig& config) { return Place(&(config.*member)); };
 }
 
-void readMaterial(ParameterReader& reader, Material& material) {
-  reader.read("material/youngs_modulus", material.youngs_modulus);
-  reader.read("material/poisson_ratio", material.poisson_ratio);
-  reader.read("material/thickness", material.thickness);
-  reader.read("material/density", material.density);
-  reader.read("material/crease_stiffness", material.crease_stiffness);
-  reader.read("material/air_damping", material.air_damping);
-  readChoice(reader, "material/membrane", membraneNames(), material.membrane);
-  reader.read("material/crease_height_term", material.crease_height_term);
-  reader.read("material/yield_curvature", material.yield_curvature);
-  reader.read("material/hardening", material.hardening);
-}
+Place coloring(NodeConfig& config) { return Choice(coloringNames(), config.colouring); }
 
-void readSolver(ParameterReader& reader, SolverConfig& solver) {
-  readChoice(reader, "solver/integrator", integratorNames(), solver.integrator);
-  reader.read("solver/time_step", solver.time_step);
-  reader.read("solver/beta", solver.beta);
-  reader.read("solver/gamma", solver.gamma);
-  reader.read("solver/tolerance", solver.tolerance);
-  reader.read("solver/max_iterations", solver.max_iterations);
-}
+Place clock(NodeConfig& config) { return Choice(clockNames(), config.clock); }
 
-void readSheet(ParameterReader& reader, SheetSource& sheet) {
-  reader.read("sheet/width", sheet.width);
-  reader.read("sheet/height", sheet.height);
-  reader.read("sheet/max_edge", sheet.max_edge);
-}
-
-void readClock(ParameterReader& reader, NodeConfig& config) {
-  readChoice<ClockMode>(reader, "clock",
-                        {{"follow", ClockMode::kFollow}, {"lead", ClockMode::kLead}}, config.clock);
-  reader.read("real_time_factor", config.real_time_factor);
-}
-
-void checkSimulation(const SimulationConfig& config) {
-  try {
-    checkConfig(config);
-  } catch (const std::invalid_argument& error) {
-    reject("parameter ~", error.what());
-  }
+ParameterTable<NodeConfig> makeTable() {
+  using Config = NodeConfig;
+  constexpr bool kLive = true;
+  constexpr Bounds kUnbounded{};  // of words, and of what is true or false
+  ParameterTable<Config> table;
+  append(table, sheetParameters(), &Config::sheet);
+  append(table, simulationParameters(), &Config::simulation);
+  table.insert(
+      table.end(),
+      {{"recipe", at(&Config::recipe), "carried out at the start; empty: none", "", kUnbounded},
+       {"output", at(&Config::output), "for the results of the recipe; empty: none", "",
+        kUnbounded},
+       {"paused", at(&Config::paused), "whether to start paused", "", kUnbounded},
+       {"wait_for_recorder", at(&Config::wait_for_recorder),
+        "whether to start only once `~sheet`, `~state` and `~edits` are heard, within 20 s", "",
+        kUnbounded},
+       {"checkpoint/file", at(&Config::checkpoint), "to go on from and to keep; empty: none", "",
+        kUnbounded},
+       {"checkpoint/period", at(&Config::checkpoint_period),
+        "of elapsed time, from one checkpoint to the next", "s", between(0.1, 1e6)},
+       {"publish_rate", at(&Config::publish_rate), "in ROS time, at most once a step", "Hz",
+        between(0.01, 1000), kLive},
+       // diagnostic_updater reads the parameter of this name as well.
+       {"diagnostic_period", at(&Config::diagnostic_period),
+        "of elapsed time, from one message on `/diagnostics` to the next", "s", between(0.1, 1e6)},
+       {"watch_master", at(&Config::watch_master),
+        "whether to look for a restarted master, and to register there", "", kUnbounded},
+       {"world_frame", at(&Config::world_frame), "frame of the positions", "", kUnbounded},
+       {"frame_prefix", at(&Config::frame_prefix),
+        "with which the names of `paper` and `panel_<n>` begin", "", kUnbounded},
+       {"vertex_ids", at(&Config::vertex_ids), "whether `~markers` shows the vertices' numbers", "",
+        kUnbounded, kLive},
+       {"colouring", coloring, "what the colors of `~markers` tell", "", kUnbounded},
+       {"clock", clock, "how simulated time runs", "", kUnbounded},
+       {"real_time_factor", at(&Config::real_time_factor),
+        "with `clock: lead`, simulated over elapsed time; 0: as fast as it can", "", kNotNegative,
+        kLive}});
+  return table;
 }
 
 }  // namespace
 
+const ParameterTable<NodeConfig>& nodeParameters() {
+  static const ParameterTable<NodeConfig> table = makeTable();
+  return table;
+}
+
 void checkParameters(const NodeConfig& config) {
-  checkSimulation(config.simulation);
-  require(config.sheet.width > 0, "sheet/width", config.sheet.width, "positive");
-  require(config.sheet.height > 0, "sheet/height", config.sheet.height, "positive");
-  require(config.sheet.max_edge > 0, "sheet/max_edge", config.sheet.max_edge, "positive");
-  const auto& [slowest, fastest] = kPublishRateBounds;
-  require(config.publish_rate >= slowest && config.publish_rate <= fastest, "publish_rate",
-          config.publish_rate, "from 0.01 to 1000");
-  const auto& [shortest, longest] = kCheckpointPeriodBounds;
-  require(config.checkpoint_period >= shortest && config.checkpoint_period <= longest,
-          "checkpoint/period", config.checkpoint_period, "from 0.1 to 1e6");
-  require(!config.world_frame.empty() && config.world_frame[0] != '/', "world_frame",
-          '"' + config.world_frame + '"', "a frame's name without a leading slash");
-  require(config.real_time_factor >= 0 && std::isfinite(config.real_time_factor),
-          "real_time_factor", config.real_time_factor, "zero or positive, and finite");
+  try {
+    checkValues(nodeParameters(), config);
+  } catch (const std::invalid_argument& error) {
+    reject("parameter ~", error.what());
+  }
+  if (config.world_frame.empty() || config.world_frame[0] == '/') {
+    reject("parameter ~world_frame is \"", config.world_frame,
+           "\", but must be a frame's name without a leading slash");
+  }
+  if (!config.frame_prefix.empty() && config.frame_prefix[0] == '/') {
+    reject("parameter ~frame_prefix is \"", config.frame_prefix,
+           "\", but must be without a leading slash");
+  }
+  if (isPaperFrame(config.world_frame, config.frame_prefix)) {
+    reject("parameter ~world_frame is \"", config.world_frame,
+           "\", but that is one of the paper's own frames");
+  }
   if (config.clock == ClockMode::kLead && !ros::Time::isSimTime()) {
     reject(
         "parameter ~clock is \"lead\", but that publishes /clock and needs /use_sim_time to be "
@@ -88,22 +104,9 @@ void checkParameters(const NodeConfig& config) {
 NodeConfig loadParameters(const ros::NodeHandle& private_node) {
   NodeConfig config;
   ParameterReader reader(private_node);
-  readSheet(reader, config.sheet);
-  readMaterial(reader, config.simulation.material);
-  reader.read("gravity", config.simulation.gravity);
-  readSolver(reader, config.simulation.solver);
-  reader.read("fold_duration", config.simulation.fold_duration);
-  reader.read("recipe", config.recipe);
-  reader.read("output", config.output);
-  reader.read("paused", config.paused);
-  reader.read("wait_for_recorder", config.wait_for_recorder);
-  reader.read("checkpoint/file", config.checkpoint);
-  reader.read("checkpoint/period", config.checkpoint_period);
-  reader.read("publish_rate", config.publish_rate);
-  reader.read("world_frame", config.world_frame);
-  reader.read("vertex_ids", config.vertex_ids);
-  readChoice(reader, "colouring", coloringNames(), config.colouring);
-  readClock(reader, config);
+  for (const auto& parameter : nodeParameters()) {
+    reader.read(parameter.name, parameter.place(config));
+  }
   reader.ignore("live");  // what dynamic_reconfigure keeps there
   reader.rejectUnread();
   checkParameters(config);

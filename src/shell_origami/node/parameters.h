@@ -3,7 +3,7 @@
 #pragma once
 
 #include <shell_origami/node/draw/coloring.h>
-#include <shell_origami/origami/recipe.h>
+#include <shell_origami/origami/parameter_table.h>
 
 #include <ros/node_handle.h>
 
@@ -16,9 +16,6 @@ enum class ClockMode {
   kLead,    ///< publishes /clock itself
 };
 
-constexpr Bounds kPublishRateBounds{0.01, 1000};     ///< [Hz]
-constexpr Bounds kCheckpointPeriodBounds{0.1, 1e6};  ///< [s]
-
 struct NodeConfig {
   SimulationConfig simulation;
   SheetSource sheet;
@@ -29,19 +26,25 @@ struct NodeConfig {
   double publish_rate = 30;        ///< [Hz]
   std::string checkpoint;          ///< file to go on from and to keep; empty: none
   double checkpoint_period = 10;   ///< [s] of wall time
+  double diagnostic_period = 1;    ///< [s] of wall time
+  bool watch_master = false;       ///< whether to register again with a master that is restarted
   std::string world_frame = "world";
-  bool vertex_ids = false;  ///< whether the markers show the vertices' numbers
+  std::string frame_prefix;  ///< with which the names of the paper's own frames begin
+  bool vertex_ids = false;   ///< whether the markers show the vertices' numbers
   Coloring colouring = Coloring::kPaper;
   ClockMode clock = ClockMode::kFollow;
   double real_time_factor = 1;  ///< simulated over elapsed time, lead only; 0: as fast as it can
 };
 
+/// Every private parameter of the node, those of its paper included.
+const ParameterTable<NodeConfig>& nodeParameters();
+
 /// Reads the private parameters of the node; those that are not set keep their defaults.
-/// \throws std::invalid_argument with one sentence that names the offending parameter and value,
-///         for a wrong type, a value out of bounds, and a name that no parameter has.
+/// \throws std::invalid_argument with one error message that names the offending parameter and
+///         value, for a wrong type, a value out of bounds, and a name that no parameter has.
 NodeConfig loadParameters(const ros::NodeHandle& private_node);
 
-/// \throws std::invalid_argument with the same sentences.
+/// \throws std::invalid_argument with the same messages.
 void checkParameters(const NodeConfig& config);
 
 /// The path of a recipe given as a path, or by the bare name of one that comes with the package.

@@ -15,6 +15,7 @@ namespace shell_origami {
 Publishers::Publishers(ros::NodeHandle& node, const NodeConfig& config,
                        std::function<msg::Edit()> whole_paper)
     : world_frame_(config.world_frame),
+      frame_prefix_(config.frame_prefix),
       painter_(config.vertex_ids, config.colouring),
       sheet_(node.advertise<msg::Sheet>("sheet", 10, true)),
       state_(node.advertise<msg::SheetState>("state", 100)),
@@ -67,8 +68,8 @@ void Publishers::publishFrames(const Session& session, const ros::Time& stamp) {
   if (stamp == frames_stamp_) return;  // tf2 warns of repeated stamps
   frames_stamp_ = stamp;
   const Simulation& simulation = session.simulation();
-  broadcaster_.sendTransform(
-      paperFrames(simulation.sheet(), panels_, simulation.positions(), header(stamp)));
+  broadcaster_.sendTransform(paperFrames(simulation.sheet(), panels_, simulation.positions(),
+                                         header(stamp), frame_prefix_));
 }
 
 namespace {

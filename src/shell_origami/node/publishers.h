@@ -42,7 +42,7 @@ class Publishers {
   void publishWrenches(const Session& session, const ros::Time& stamp);
   void advertiseWrench(const std::string& frame);
 
-  std::string world_frame_;
+  std::string world_frame_, frame_prefix_;
   MarkerPainter painter_;
   std::optional<std::uint32_t> revision_;  ///< of the sheet last published
   std::vector<Panel> panels_;              ///< of that sheet

@@ -16,13 +16,6 @@ struct SimulationConfig {
   NaturalCurvature rest;       ///< how the sheet is rolled up when it rests
 };
 
-/// Bounds of what a configuration may hold.
-struct Bounds {
-  double low, high;
-};
-constexpr Bounds kGravityBounds{-1e4, 1e4};  ///< of each component [m/s^2]
-constexpr Bounds kAirDampingBounds{0, 1e6};  ///< [1/s]
-
 /// What of a configuration may change while the paper moves.
 struct LiveConfig {
   Vector3 gravity = Vector3::Zero();  ///< [m/s^2]
@@ -30,7 +23,7 @@ struct LiveConfig {
   double fold_duration = 1;           ///< of a fold that states none [s]
 };
 
-/// \throws std::invalid_argument with a sentence that names the offending parameter and value.
-void checkConfig(const SimulationConfig& config);
+/// \throws std::invalid_argument that names the offending parameter, its value and its bounds.
+void checkConfig(SimulationConfig config);
 
 }  // namespace shell_origami

@@ -10,8 +10,8 @@ namespace shell_origami {
 
 namespace {
 
-/// Beyond this [m], rounding would shift the paper by more than a ten-thousandth of a millimetre.
-constexpr double kFarthest = 1e8;
+/// Beyond this [m], positions published as float32 would be off by more than 0.03 mm.
+constexpr double kFarthest = 1000;
 
 }  // namespace
 

@@ -25,7 +25,8 @@ struct Pose {
   }
 };
 
-/// \throws std::invalid_argument unless it is finite, within 1e8 m, and its quaternion of length 1.
+/// \throws std::invalid_argument unless it is finite, within 1000 m, and its quaternion of
+/// length 1.
 void checkPose(const Pose& pose);
 
 /// A part s in [0, 1] of the way from one pose to another, each end exactly.

@@ -2,7 +2,7 @@
 /// A recipe: a sheet, its material, and what to do with it, step by step (YAML).
 #pragma once
 
-#include <shell_origami/fold_format/fold_file.h>
+#include <shell_origami/origami/sheet_source.h>
 #include <shell_origami/origami/simulation.h>
 
 #include <functional>
@@ -13,18 +13,6 @@
 #include <vector>
 
 namespace shell_origami {
-
-/// Where a sheet comes from: a rectangle from (0, 0), or a FOLD file.
-struct SheetSource {
-  double width = 0.15;     ///< [m]
-  double height = 0.15;    ///< [m]
-  double max_edge = 0.01;  ///< longest edge wanted [m]
-  std::string pattern;     ///< FOLD file; empty: the rectangle
-  double scale = 0;        ///< metres per unit of the pattern; 0: the unit the file states
-  FoldForm form = FoldForm::kFolded;   ///< of the pattern
-  Vector3 position = Vector3::Zero();  ///< where the flat sheet's origin lies in the world [m]
-  Vector3 roll_pitch_yaw = Vector3::Zero();  ///< how the flat sheet lies there [rad] (REP-103)
-};
 
 /// Makes the paper. \throws std::invalid_argument with one sentence.
 Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config);

@@ -1,6 +1,7 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/base/files.h>
 #include <shell_origami/origami/bounded_yaml.h>
+#include <shell_origami/origami/parameter_table.h>
 #include <shell_origami/origami/recipe.h>
 
 #include <cmath>
@@ -69,13 +70,30 @@ class Reader {
     return value;
   }
 
-  /// What a word among a few stands for.
-  template <class Value>
-  Value choice(const YAML::Node& node, const std::string& what,
-               const std::map<std::string, Value>& choices) const {
-    const auto found = choices.find(text(node, what));
-    if (found != choices.end()) return found->second;
-    refuseAt(node, what, " must be ", alternatives(choices), ", not '", node.Scalar(), "'");
+  // Each reads a value into its place.
+  void read(const YAML::Node& node, const std::string& what, double* value) const {
+    *value = number(node, what);
+  }
+  void read(const YAML::Node& node, const std::string& what, int* value) const {
+    const double count = number(node, what);
+    if (count != std::floor(count) || std::abs(count) > 1e9) {
+      refuseAt(node, what, " must be an integer, not ", count);
+    }
+    *value = static_cast<int>(count);
+  }
+  void read(const YAML::Node& node, const std::string& what, bool* value) const {
+    *value = truth(node, what);
+  }
+  void read(const YAML::Node& node, const std::string& what, std::string* value) const {
+    *value = text(node, what);
+  }
+  void read(const YAML::Node& node, const std::string& what, Vector3* value) const {
+    const std::vector<double> list = numbers(node, 3, what);
+    *value = {list[0], list[1], list[2]};
+  }
+  void read(const YAML::Node& node, const std::string& what, const Choice& choice) const {
+    if (choice.set(text(node, what))) return;
+    refuseAt(node, what, " must be ", choice.text(), ", not '", node.Scalar(), "'");
   }
 
   std::vector<double> numbers(const YAML::Node& node, std::size_t count,
@@ -100,8 +118,10 @@ class Reader {
     return points;
   }
 
-  std::function<void(const YAML::Node&)> into(double& value, const std::string& what) const {
-    return [this, &value, what](const YAML::Node& node) { value = number(node, what); };
+  std::function<void(const YAML::Node&)> into(const Place& place, const std::string& what) const {
+    return [this, place, what](const YAML::Node& node) {
+      std::visit([&](const auto& value) { read(node, what, value); }, place);
+    };
   }
 
  private:
@@ -128,7 +148,7 @@ void readPose(const Reader& reader, const YAML::Node& node, SheetSource& sheet) 
 
 void readCurvature(const Reader& reader, const YAML::Node& node, NaturalCurvature& roll) {
   reader.readMap(node, "sheet/curvature",
-                 {{"value", reader.into(roll.curvature, "sheet/curvature/value")},
+                 {{"value", reader.into(&roll.curvature, "sheet/curvature/value")},
                   {"axis_deg", [&](const YAML::Node& value) {
                      roll.axis = kDegree * reader.number(value, "sheet/curvature/axis_deg");
                    }}});
@@ -144,7 +164,7 @@ void readSheet(const Reader& reader, const YAML::Node& node, const fs::path& fol
           sheet.width = size[0];
           sheet.height = size[1];
         }},
-       {"max_edge", reader.into(sheet.max_edge, "sheet/max_edge")},
+       {"max_edge", reader.into(&sheet.max_edge, "sheet/max_edge")},
        {"pattern",
         [&](const YAML::Node& value) {
           sheet.pattern = (folder / expandedPath(reader.text(value, "sheet/pattern"))).string();
@@ -153,50 +173,26 @@ void readSheet(const Reader& reader, const YAML::Node& node, const fs::path& fol
         [&](const YAML::Node& value) {
           static const std::map<std::string, FoldForm> kForms{{"flat", FoldForm::kFlat},
                                                               {"folded", FoldForm::kFolded}};
-          sheet.form = reader.choice(value, "sheet/form", kForms);
+          reader.read(value, "sheet/form", Choice(kForms, sheet.form));
         }},
-       {"scale", reader.into(sheet.scale, "sheet/scale")},
+       {"scale", reader.into(&sheet.scale, "sheet/scale")},
        {"pose", [&](const YAML::Node& value) { readPose(reader, value, sheet); }},
        {"curvature", [&](const YAML::Node& value) { readCurvature(reader, value, roll); }}});
 }
 
-void readMaterial(const Reader& reader, const YAML::Node& node, Material& material) {
-  reader.readMap(node, "material",
-                 {{"youngs_modulus", reader.into(material.youngs_modulus, "youngs_modulus")},
-                  {"poisson_ratio", reader.into(material.poisson_ratio, "poisson_ratio")},
-                  {"thickness", reader.into(material.thickness, "thickness")},
-                  {"density", reader.into(material.density, "density")},
-                  {"crease_stiffness", reader.into(material.crease_stiffness, "crease_stiffness")},
-                  {"air_damping", reader.into(material.air_damping, "air_damping")},
-                  {"membrane",
-                   [&](const YAML::Node& value) {
-                     material.membrane = reader.choice(value, "membrane", membraneNames());
-                   }},
-                  {"crease_height_term",
-                   [&](const YAML::Node& value) {
-                     material.crease_height_term = reader.truth(value, "crease_height_term");
-                   }},
-                  {"yield_curvature", reader.into(material.yield_curvature, "yield_curvature")},
-                  {"hardening", reader.into(material.hardening, "hardening")}});
-}
-
-void readSolver(const Reader& reader, const YAML::Node& node, SolverConfig& solver) {
-  reader.readMap(node, "solver",
-                 {{"integrator",
-                   [&](const YAML::Node& value) {
-                     solver.integrator = reader.choice(value, "integrator", integratorNames());
-                   }},
-                  {"time_step", reader.into(solver.time_step, "time_step")},
-                  {"beta", reader.into(solver.beta, "beta")},
-                  {"gamma", reader.into(solver.gamma, "gamma")},
-                  {"tolerance", reader.into(solver.tolerance, "tolerance")},
-                  {"max_iterations", [&](const YAML::Node& value) {
-                     const double count = reader.number(value, "max_iterations");
-                     if (count != std::floor(count) || std::abs(count) > 1e9) {
-                       reader.refuseAt(value, "max_iterations must be a whole number, not ", count);
-                     }
-                     solver.max_iterations = static_cast<int>(count);
-                   }}});
+/// The handlers of every parameter in a folder, such as "material/".
+Reader::Handlers parametersIn(const std::string& folder, const Reader& reader,
+                              SimulationConfig& config) {
+  Reader::Handlers handlers;
+  for (const auto& parameter : simulationParameters()) {
+    const std::string& name = parameter.name;
+    if (name.compare(0, folder.size(), folder) != 0) continue;
+    const std::string key = name.substr(folder.size());
+    if (key.find('/') == std::string::npos) {
+      handlers[key] = reader.into(parameter.place(config), name);
+    }
+  }
+  return handlers;
 }
 
 void readView(const Reader& reader, const YAML::Node& node, View& view) {
@@ -208,7 +204,7 @@ void readView(const Reader& reader, const YAML::Node& node, View& view) {
   reader.readMap(node, "view",
                  {{"yaw_deg", degrees(view.yaw, "yaw_deg")},
                   {"pitch_deg", degrees(view.pitch, "pitch_deg")},
-                  {"distance", reader.into(view.distance, "distance")}});
+                  {"distance", reader.into(&view.distance, "distance")}});
 }
 
 FoldEdit readFoldEntry(const Reader& reader, const YAML::Node& node) {
@@ -344,22 +340,18 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
               Recipe& recipe) {
   SimulationConfig& config = recipe.config;
   YAML::Node steps;
-  reader.readMap(
-      root, "the recipe",
-      {{"sheet",
-        [&](const YAML::Node& node) {
-          readSheet(reader, node, folder, recipe.sheet, config.rest);
-        }},
-       {"material", [&](const YAML::Node& node) { readMaterial(reader, node, config.material); }},
-       {"solver", [&](const YAML::Node& node) { readSolver(reader, node, config.solver); }},
-       {"gravity",
-        [&](const YAML::Node& node) {
-          const auto g = reader.numbers(node, 3, "gravity");
-          config.gravity = {g[0], g[1], g[2]};
-        }},
-       {"fold_duration", reader.into(config.fold_duration, "fold_duration")},
-       {"view", [&](const YAML::Node& node) { readView(reader, node, recipe.view); }},
-       {"steps", [&](const YAML::Node& node) { steps = node; }}});
+  Reader::Handlers handlers = parametersIn("", reader, config);
+  for (const std::string group : {"material", "solver"}) {
+    handlers[group] = [&reader, &config, group](const YAML::Node& node) {
+      reader.readMap(node, group, parametersIn(group + "/", reader, config));
+    };
+  }
+  handlers["sheet"] = [&](const YAML::Node& node) {
+    readSheet(reader, node, folder, recipe.sheet, config.rest);
+  };
+  handlers["view"] = [&](const YAML::Node& node) { readView(reader, node, recipe.view); };
+  handlers["steps"] = [&](const YAML::Node& node) { steps = node; };
+  reader.readMap(root, "the recipe", handlers);
   for (const auto& entry : root) recipe.stated.insert(entry.first.Scalar());
   if (steps.IsDefined() && !steps.IsNull() && !steps.IsSequence()) {
     reader.refuseAt(steps, "steps must be a list");

@@ -1,6 +1,7 @@
 #include <shell_origami/origami/simulation.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/origami/parameter_table.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -10,12 +11,6 @@
 namespace shell_origami {
 namespace {
 
-/// Beyond this [N*m/rad per m], 20,000 times a paper's crease, the matrix of a step is too badly
-/// conditioned to be factorized.
-constexpr double kStiffest = 100;
-/// The least that a parameter may be as well.
-constexpr double kSoftest = 1e-9;
-
 void checkFold(const FoldEdit& edit) {
   if (!(std::abs(edit.angle) < M_PI)) {
     reject("angle ", edit.angle, " rad is not inside (-pi, pi)");
@@ -23,9 +18,8 @@ void checkFold(const FoldEdit& edit) {
   if (edit.duration && !(*edit.duration >= 0 && std::isfinite(*edit.duration))) {
     reject("duration ", *edit.duration, " s is negative or not finite");
   }
-  if (edit.stiffness && !(*edit.stiffness >= kSoftest && *edit.stiffness <= kStiffest)) {
-    reject("stiffness ", *edit.stiffness, " N*m/rad per m is not from ", kSoftest, " to ",
-           kStiffest);
+  if (double stiffness = edit.stiffness.value_or(0); edit.stiffness) {
+    checkValue("stiffness", &stiffness, boundsOf("material/crease_stiffness"));
   }
 }
 

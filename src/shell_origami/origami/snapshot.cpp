@@ -2,6 +2,7 @@
 
 #include <shell_origami/base/bounded_json.h>
 #include <shell_origami/base/error.h>
+#include <shell_origami/origami/parameter_table.h>
 
 #include <cmath>
 #include <limits>
@@ -13,21 +14,6 @@ namespace shell_origami {
 namespace {
 
 using Json = nlohmann::json;
-
-template <class Value>
-std::string wordFor(const std::map<std::string, Value>& words, Value value) {
-  for (const auto& [word, known] : words) {
-    if (known == value) return word;
-  }
-  reject("a word is missing");
-}
-
-template <class Value>
-Value meaningOf(const std::map<std::string, Value>& words, const Json& json) {
-  const auto found = words.find(json.get<std::string>());
-  if (found == words.end()) reject("unknown word ", describeJson(json));
-  return found->second;
-}
 
 template <class Vector>
 Json numbers(const Vector& values) {
@@ -49,66 +35,47 @@ Positions columns(const Json& json, int count) {
   return result;
 }
 
-Json write(const Material& m) {
-  return {{"youngs_modulus", m.youngs_modulus},
-          {"poisson_ratio", m.poisson_ratio},
-          {"thickness", m.thickness},
-          {"density", m.density},
-          {"crease_stiffness", m.crease_stiffness},
-          {"air_damping", m.air_damping},
-          {"membrane", wordFor(membraneNames(), m.membrane)},
-          {"crease_height_term", m.crease_height_term},
-          {"yield_curvature", m.yield_curvature},
-          {"hardening", m.hardening}};
+/// material/thickness lies at "thickness" within "material".
+Json::json_pointer placeOf(const std::string& name) { return Json::json_pointer("/" + name); }
+
+Json valueAt(const Place& place) {
+  if (const auto* choice = std::get_if<Choice>(&place)) return choice->get();
+  if (const auto* list = std::get_if<Vector3*>(&place)) return numbers(**list);
+  if (const auto* number = std::get_if<double*>(&place)) return **number;
+  if (const auto* count = std::get_if<int*>(&place)) return **count;
+  if (const auto* truth = std::get_if<bool*>(&place)) return **truth;
+  return *std::get<std::string*>(place);
 }
 
-Material readMaterial(const Json& json) {
-  Material m;
-  m.youngs_modulus = json.at("youngs_modulus");
-  m.poisson_ratio = json.at("poisson_ratio");
-  m.thickness = json.at("thickness");
-  m.density = json.at("density");
-  m.crease_stiffness = json.at("crease_stiffness");
-  m.air_damping = json.at("air_damping");
-  m.membrane = meaningOf(membraneNames(), json.at("membrane"));
-  m.crease_height_term = json.at("crease_height_term");
-  m.yield_curvature = json.at("yield_curvature");
-  m.hardening = json.at("hardening");
-  return m;
+void setValue(const Place& place, const Json& json) {
+  if (const auto* choice = std::get_if<Choice>(&place)) {
+    if (!choice->set(json.get<std::string>())) reject("unknown word ", describeJson(json));
+  } else if (const auto* list = std::get_if<Vector3*>(&place)) {
+    **list = vectorFrom(json);
+  } else if (const auto* number = std::get_if<double*>(&place)) {
+    **number = json;
+  } else if (const auto* count = std::get_if<int*>(&place)) {
+    **count = json;
+  } else if (const auto* truth = std::get_if<bool*>(&place)) {
+    **truth = json;
+  } else {
+    *std::get<std::string*>(place) = json.get<std::string>();
+  }
 }
 
-Json write(const SolverConfig& s) {
-  return {{"integrator", wordFor(integratorNames(), s.integrator)},
-          {"time_step", s.time_step},
-          {"beta", s.beta},
-          {"gamma", s.gamma},
-          {"tolerance", s.tolerance},
-          {"max_iterations", s.max_iterations}};
-}
-
-SolverConfig readSolver(const Json& json) {
-  SolverConfig s;
-  s.integrator = meaningOf(integratorNames(), json.at("integrator"));
-  s.time_step = json.at("time_step");
-  s.beta = json.at("beta");
-  s.gamma = json.at("gamma");
-  s.tolerance = json.at("tolerance");
-  s.max_iterations = json.at("max_iterations");
-  return s;
-}
-
-Json write(const SimulationConfig& config) {
-  return {{"material", write(config.material)}, {"gravity", numbers(config.gravity)},
-          {"solver", write(config.solver)},     {"fold_duration", config.fold_duration},
-          {"curvature", config.rest.curvature}, {"axis", config.rest.axis}};
+Json write(SimulationConfig config) {
+  Json json{{"curvature", config.rest.curvature}, {"axis", config.rest.axis}};
+  for (const auto& parameter : simulationParameters()) {
+    json[placeOf(parameter.name)] = valueAt(parameter.place(config));
+  }
+  return json;
 }
 
 SimulationConfig readConfig(const Json& json) {
   SimulationConfig config;
-  config.material = readMaterial(json.at("material"));
-  config.gravity = vectorFrom(json.at("gravity"));
-  config.solver = readSolver(json.at("solver"));
-  config.fold_duration = json.at("fold_duration");
+  for (const auto& parameter : simulationParameters()) {
+    setValue(parameter.place(config), json.at(placeOf(parameter.name)));
+  }
   config.rest.curvature = json.at("curvature");
   config.rest.axis = json.at("axis");
   return config;

@@ -8,24 +8,32 @@
 
 namespace {
 
-/// \throws std::invalid_argument with one sentence that names the offending parameter.
-shell_origami::MarkerPainter configuredPainter(const ros::NodeHandle& node) {
-  shell_origami::ParameterReader reader(node);
+struct Parameters {
+  std::string origami = "origami";  ///< the node that was recorded
   bool vertex_ids = false;
-  auto colouring = shell_origami::Coloring::kPaper;
-  reader.read("vertex_ids", vertex_ids);
-  readChoice(reader, "colouring", shell_origami::coloringNames(), colouring);
+  shell_origami::Coloring colouring = shell_origami::Coloring::kPaper;
+};
+
+/// \throws std::invalid_argument that names the offending parameter.
+Parameters loadParameters(const ros::NodeHandle& node) {
+  shell_origami::ParameterReader reader(node);
+  Parameters parameters;
+  reader.read("origami", &parameters.origami);
+  reader.read("vertex_ids", &parameters.vertex_ids);
+  reader.read("colouring",
+              shell_origami::Choice(shell_origami::coloringNames(), parameters.colouring));
   reader.rejectUnread();
-  return {vertex_ids, colouring};
+  return parameters;
 }
 
 class MarkersNode {
  public:
-  explicit MarkersNode(ros::NodeHandle& node)
-      : painter_(configuredPainter(node)),
-        markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 5)),
-        sheet_(node.subscribe("sheet", 10, &MarkersNode::onSheet, this)),
-        state_(node.subscribe("state", 10, &MarkersNode::onState, this)) {}
+  explicit MarkersNode(const Parameters& parameters)
+      : painter_(parameters.vertex_ids, parameters.colouring),
+        recorded_(parameters.origami),
+        markers_(recorded_.advertise<visualization_msgs::MarkerArray>("markers", 5)),
+        sheet_(recorded_.subscribe("sheet", 10, &MarkersNode::onSheet, this)),
+        state_(recorded_.subscribe("state", 10, &MarkersNode::onState, this)) {}
 
  private:
   void onSheet(const shell_origami::msg::Sheet::ConstPtr& sheet) { painter_.setSheet(*sheet); }
@@ -36,6 +44,7 @@ class MarkersNode {
   }
 
   shell_origami::MarkerPainter painter_;
+  ros::NodeHandle recorded_;
   ros::Publisher markers_;
   ros::Subscriber sheet_;
   ros::Subscriber state_;
@@ -44,12 +53,12 @@ class MarkersNode {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "origami");
+  ros::init(argc, argv, "origami_markers");
   // roscpp ends cleanly of SIGINT alone.
   std::signal(SIGTERM, [](int) { ros::requestShutdown(); });
-  ros::NodeHandle node("~");
+  const ros::NodeHandle node("~");
   try {
-    MarkersNode markers(node);
+    MarkersNode markers(loadParameters(node));
     ros::spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
