@@ -1,7 +1,9 @@
 #include <shell_origami/node/held_frames.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/node/frames.h>
 #include <shell_origami/node/tf_utilities.h>
+#include <shell_origami/node/time_arithmetic.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +52,7 @@ geometry_msgs::TransformStamped HeldFrames::lookUp(const std::string& frame,
 }
 
 void HeldFrames::requireForeign(const std::string& frame) const {
-  if (frame == "paper" || frame.rfind("panel_", 0) == 0) {
+  if (isPaperFrame(frame, origami_.config().frame_prefix)) {
     reject("frame_id is \"", frame, "\", which is the paper's own and cannot hold it");
   }
 }
@@ -84,17 +86,17 @@ void HeldFrames::carry(const std::string& frame, const Grip& grip, double time_s
   try {
     const ros::Time latest = lookUp(frame, ros::Time(0)).header.stamp;
     Follower& follower = followers_[frame];
-    const double late = (end - latest).toSec();
+    const double late = secondsBetween(latest, end);
     // A frame that never moves has no stamp.
     if (!latest.isZero() && late > kStale) {
       ROS_WARN_THROTTLE(kWarnPeriod, "frame %s was last heard of %.1f s ago: the paper waits",
                         frame.c_str(), late);
     }
     follower.behind = std::max(late, follower.behind * std::exp2(-time_step / kHalfLife));
-    follower.played += ros::Duration(time_step);
-    const double lag = (end - follower.played).toSec() - follower.behind;
-    if (lag > kFarBehind) follower.played += ros::Duration(lag);
-    else if (lag > 0) follower.played += ros::Duration(std::min(lag, kCatchUp * time_step));
+    follower.played = later(follower.played, time_step);
+    const double lag = secondsBetween(follower.played, end) - follower.behind;
+    if (lag > kFarBehind) follower.played = later(follower.played, lag);
+    else if (lag > 0) follower.played = later(follower.played, std::min(lag, kCatchUp * time_step));
     follower.played = std::min(follower.played, latest);
 
     Pose pose = poseOf(lookUp(frame, follower.played));

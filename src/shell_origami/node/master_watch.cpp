@@ -5,8 +5,7 @@
 #include <ros/param.h>
 #include <ros/ros.h>
 #include <ros/xmlrpc_manager.h>
-
-#include <chrono>
+#include <xmlrpcpp/XmlRpcException.h>
 
 namespace shell_origami {
 namespace {
@@ -14,6 +13,7 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds kPeriod(1);
+constexpr double kWarnPeriod = 60;  ///< [s]
 
 /// A call of the master API or, at another place, of a node's (wiki.ros.org/ROS/Master_API,
 /// ROS/Slave_API) in this node's name. Nothing where nobody answers.
@@ -68,9 +68,20 @@ MasterWatch::~MasterWatch() {
   thread_.join();
 }
 
-void MasterWatch::run() {
+bool MasterWatch::endsWithin(std::chrono::seconds period) {
   std::unique_lock<std::mutex> lock(mutex_);
-  while (!ending_.wait_for(lock, kPeriod, [this] { return end_; })) look();
+  return ending_.wait_for(lock, period, [this] { return end_; });
+}
+
+void MasterWatch::run() {
+  while (!endsWithin(kPeriod)) {
+    try {
+      look();
+    } catch (const XmlRpc::XmlRpcException& error) {
+      ROS_WARN_THROTTLE(kWarnPeriod, "the master's answer is invalid: %s",
+                        error.getMessage().c_str());
+    }
+  }
 }
 
 void MasterWatch::look() {

@@ -2,6 +2,7 @@
 /// Survives the master: where another takes its place, the node is registered there.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -23,6 +24,7 @@ class MasterWatch {
 
  private:
   void run();
+  bool endsWithin(std::chrono::seconds period);
   void look();
   void remember();
   void registerAgain() const;

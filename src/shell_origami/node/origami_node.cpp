@@ -3,6 +3,7 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/node/message_text.h>
 #include <shell_origami/node/record/edit_messages.h>
+#include <shell_origami/node/time_arithmetic.h>
 
 #include <ros/callback_queue.h>
 
@@ -18,6 +19,8 @@ namespace {
 constexpr double kIdlePeriod = 0.5;
 /// How often to look whether someone records by now [s].
 constexpr double kWaitPeriod = 0.02;
+/// How long a node waits for a recorder before it ends [s].
+constexpr double kLongestWait = 20;
 /// How many requests may be at work in the background after they were ended.
 constexpr std::size_t kMostEnding = 4;
 /// How long a recorder takes from subscribing to listening [s].
@@ -80,7 +83,7 @@ void OrigamiNode::spin() {
   while (ros::ok() && !ros::isShuttingDown()) {
     const double wait = std::clamp(untilNextStep(), 0.0, kIdlePeriod);
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(publishDue() ? 0 : wait));
-    if (waiting_ && publishers_.recorded()) startRecorded();
+    if (waiting_) awaitRecorder();
     forgetEnded();
     if (loading_ && loading_->done()) {
       finishLoading();
@@ -101,6 +104,17 @@ double OrigamiNode::untilNextStep() {
   if (stepping_) return 0;
   if (run_.paused) return waiting_ ? kWaitPeriod : kIdlePeriod;
   return clock_->wait(run_.session.time(), run_.session.simulation().config().solver.time_step);
+}
+
+/// A recorder that did not start is not waited for in silence for ever.
+void OrigamiNode::awaitRecorder() {
+  if (publishers_.recorded()) {
+    startRecorded();
+  } else if ((ros::SteadyTime::now() - begin_).toSec() > kLongestWait) {
+    reject(
+        "parameter ~wait_for_recorder is true, but nobody has listened to all of ~sheet, ~state ",
+        "and ~edits for ", kLongestWait, " s");
+  }
 }
 
 /// The recording begins with the paper as it lies there. rosbag listens a moment after it has
@@ -401,7 +415,7 @@ bool OrigamiNode::movingDue() {
   const ros::Time stamp = this->stamp();
   if (stamp == last_stamp_ || stamp.isZero()) return false;
   const double time_step = run_.session.simulation().config().solver.time_step;
-  const double early = (next_publish_ - stamp).toSec();
+  const double early = secondsBetween(stamp, next_publish_);
   return changed_ || early < 0.5 * time_step || early > 2 / config_.publish_rate;
 }
 
@@ -412,10 +426,10 @@ void OrigamiNode::publish() {
   if (standing()) clock_->announce(run_.session.time());
   publishers_.publish(run_.session, run_.paused, step_, real_time_factor_.value(), stamp);
 
-  const ros::Duration period(1 / config_.publish_rate);
-  next_publish_ += period;
-  if (std::abs((next_publish_ - stamp - period).toSec()) > period.toSec()) {
-    next_publish_ = stamp + period;
+  const double period = 1 / config_.publish_rate;
+  next_publish_ = later(next_publish_, period);
+  if (std::abs(secondsBetween(stamp, next_publish_) - period) > period) {
+    next_publish_ = later(stamp, period);
   }
   last_publish_ = wall;
   last_stamp_ = stamp;

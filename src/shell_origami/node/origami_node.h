@@ -105,6 +105,7 @@ class OrigamiNode : private SessionListener {
   void endLoading(const std::string& why);
   bool continueRecipe();
   void endRecipe(const std::string& why = "");
+  void awaitRecorder();
   void startRecorded();
   void stop(const std::string& reason);
   double untilNextStep();
@@ -125,6 +126,7 @@ class OrigamiNode : private SessionListener {
   std::vector<std::unique_ptr<Background>> ending_;  ///< given up, but still at work
   StepReport step_;                                  ///< the last one
   bool waiting_;                                     ///< paused only until someone records
+  ros::SteadyTime begin_ = ros::SteadyTime::now();   ///< when it began to wait
   bool changed_ = true;  ///< by a request, since the last time the paper was published
   ros::Time next_publish_;
   ros::SteadyTime last_publish_;

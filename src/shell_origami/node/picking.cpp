@@ -12,7 +12,7 @@ Picking::Picking(ros::NodeHandle& node, OrigamiNode& origami, const tf2_ros::Buf
     : origami_(origami),
       tf_(tf),
       picked_(node.advertise<msg::Picked>("picked", 10)),
-      clicks_(node.subscribe("/clicked_point", 10, &Picking::pick, this)) {}
+      clicks_(ros::NodeHandle().subscribe("clicked_point", 10, &Picking::pick, this)) {}
 
 void Picking::pick(const geometry_msgs::PointStamped& click) {
   std_msgs::Header header;

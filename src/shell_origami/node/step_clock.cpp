@@ -1,5 +1,7 @@
 #include <shell_origami/node/step_clock.h>
 
+#include <shell_origami/node/time_arithmetic.h>
+
 #include <rosgraph_msgs/Clock.h>
 
 #include <algorithm>
@@ -42,10 +44,10 @@ class FollowClock : public StepClock {
     if (now < last_now_ || last_now_.isZero()) anchor(now, t);
     last_now_ = now;
     if (now.isZero()) return kClockPoll;
-    const double lag = (now - stamp(t)).toSec() - time_step;
+    const double lag = secondsBetween(stamp(t), now) - time_step;
     if (lag > kMaxLag) {
       lag_.add(lag);
-      anchor(now - ros::Duration(time_step), t);
+      anchor(later(now, -time_step), t);
       return 0;
     }
     return ros::Time::isSimTime() ? std::min(kClockPoll, -lag) : -lag;
@@ -57,7 +59,7 @@ class FollowClock : public StepClock {
   }
 
   ros::Time stamp(double t) const override {
-    return anchor_stamp_.isZero() ? ros::Time() : anchor_stamp_ + ros::Duration(t - anchor_t_);
+    return anchor_stamp_.isZero() ? ros::Time() : later(anchor_stamp_, t - anchor_t_);
   }
 
   double dropped() const override { return lag_.dropped(); }
