@@ -81,6 +81,14 @@ class ArchitectureTest(unittest.TestCase):
                     self.assertIsNone(ROS.match(include), '%s includes %s' % (path, include))
                     self.assertIsNone(GENERATED.match(include), '%s includes %s' % (path, include))
 
+    def test_one_blas(self):
+        """Others are slower and give other bits."""
+        named = set()
+        for path in ('package.xml', 'README.md', 'scripts/install_dependencies'):
+            with open(os.path.join(ROOT, path)) as handle:
+                named |= set(re.findall(r'libopenblas[\w-]*', handle.read()))
+        self.assertEqual(named, {'libopenblas0-serial'})
+
     def test_libraries_stay_in_their_rooms(self):
         rooms = {'CGAL/': 'mesh/', 'cholmod': 'linear/', 'SuiteSparse': 'linear/', 'omp.h': 'linear/',
                  'yaml-cpp/': 'origami/', 'rosbag/': 'node/record/'}

@@ -16,7 +16,7 @@ import rospy
 import rostest
 
 from origami_client import Recorder, line
-from own_node import OwnNode
+from own_node import OwnNode, program
 from shell_origami.msg import SheetState
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
@@ -55,11 +55,14 @@ class EndingsTest(unittest.TestCase):
             before = node.origami.state().step
             stepping.start()
             node.origami.states.wait(lambda state: state.step > before)
+        self.answers = []
         self.check_end(begin, paused=True)
+        for answer in self.answers:
+            self.assertRegex(answer.message, 'the node ends$')
 
     def step(self, node):
         try:
-            node.origami.call('step', steps=100000)
+            self.answers.append(node.origami.call('step', steps=100000))
         except rospy.ServiceException:
             pass  # the node ends
 
@@ -69,6 +72,20 @@ class EndingsTest(unittest.TestCase):
 
     def test_while_it_waits_for_a_recorder(self):
         self.check_end(wait_for_recorder=True)
+
+    def test_a_recorder_that_does_not_come_is_not_waited_for_for_ever(self):
+        node = OwnNode('waiting', wait_for_recorder=True)
+        self.addCleanup(node.process.kill)
+        # This test listens to all that a recorder listens to, so that the node begins.
+        node.origami.states.wait(lambda state: state.step > 0)
+        self.assertEqual(node.end(signal.SIGINT), 0)
+        rospy.set_param('/alone', {'wait_for_recorder': True})
+        alone = subprocess.Popen([program('origami_node'), '__name:=alone'], stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT, universal_newlines=True)
+        self.addCleanup(alone.kill)
+        said, _ = alone.communicate(timeout=60)
+        self.assertEqual(alone.returncode, 1)
+        self.assertRegex(said, 'FATAL.*wait_for_recorder is true, but nobody')
 
     def test_while_it_is_recorded(self):
         states = Recorder('/origami/state', SheetState)

@@ -9,6 +9,7 @@ import rostest
 from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock
 
+from moving_frame import MovingFrame
 from origami_client import NodeTest, Origami, Recorder
 
 STEP = 1.0 / 60
@@ -74,6 +75,24 @@ class FollowClockTest(NodeTest):
         self.clock.running = False
         self.assertAlmostEqual(self.origami.do('step', steps=60).time, start + 120 * STEP,
                                delta=1e-9)
+
+    def jump(self, seconds):
+        self.clock.seconds = seconds
+        self.origami.states.wait(lambda state: abs(state.header.stamp.to_sec() - seconds) < 100)
+
+    def test_jumps_of_a_hundred_years_end_nothing(self):
+        frame = MovingFrame('far')
+        self.origami.do('pin', vertices=[0], frame_id='far')
+        self.jump(1.0)
+        self.jump(4.0e9)
+        # Time runs on from there, and the paper still hears of frames.
+        stamp = self.stamp()
+        self.origami.states.wait(lambda state: state.header.stamp.to_sec() > stamp + 1)
+        self.origami.do('unpin')
+        self.origami.do('pin', vertices=[1], frame_id='far')
+        frame.silent = True
+        self.jump(100.0)
+        self.origami.do('unpin')
 
     def test_a_jump_forward_is_not_made_up_for(self):
         diagnostics = Recorder('/diagnostics', DiagnosticArray)

@@ -166,6 +166,13 @@ class HeldFramesTest(NodeTest):
         self.origami.do('settle')
         self.assertLess(max(z for _, _, z in self.places(held)), -0.01)
 
+    def test_a_frame_farther_than_positions_resolve_is_refused(self):
+        self.hand.pose = (1001, 0, 0, 0)
+        rospy.sleep(0.3)  # until the node has heard of it
+        answer = self.origami.call('pin', region=RIGHT, frame_id='hand')
+        self.assertFalse(answer.success)
+        self.assertIn('(1001, 0, 0), but must be within 1000 m', answer.message)
+
     def test_frames_that_cannot_hold_paper_are_refused(self):
         for frame in ('nowhere', 'paper', 'panel_0', '/hand', 'a b', 'x' * 100000, '\u00e4'):
             answer = self.origami.call('pin', region=RIGHT, frame_id=frame)

@@ -75,6 +75,7 @@ class LongRequestsTest(NodeTest):
         answer = waiting.answer()
         self.assertLess(time.time() - start, SLOWEST)
         self.assertFalse(answer.success)
+        self.assertNotRegex(answer.message, r':\s*$', 'a reason stands behind the colon')
         for word in words + ['~pause']:
             self.assertIn(word, answer.message)
 

@@ -4,11 +4,14 @@
 import os
 import signal
 import socket
+import socketserver
 import subprocess
 import tempfile
 import threading
 import time
 import unittest
+import xmlrpc.client
+import xmlrpc.server
 
 import roslib.packages
 import rostest
@@ -18,6 +21,25 @@ def free_port():
     with socket.socket() as free:
         free.bind(('127.0.0.1', 0))
         return free.getsockname()[1]
+
+
+class Relay(socketserver.ThreadingMixIn, xmlrpc.server.SimpleXMLRPCServer):
+    """Passes calls on to a master, but those in `nonsense`."""
+    daemon_threads = True
+
+    def __init__(self, port):
+        super().__init__(('127.0.0.1', 0), logRequests=False)
+        self.master = 'http://127.0.0.1:%d' % port
+        self.uri = 'http://127.0.0.1:%d' % self.server_address[1]
+        self.calls = []  # (method, caller)
+        self.nonsense = set()
+        threading.Thread(target=self.serve_forever, daemon=True).start()
+
+    def _dispatch(self, method, params):
+        self.calls.append((method, params[0]))
+        if method in self.nonsense:
+            return [1, '', 'nonsense']
+        return getattr(xmlrpc.client.ServerProxy(self.master), method)(*params)
 
 
 class MasterRestartTest(unittest.TestCase):
@@ -54,10 +76,41 @@ class MasterRestartTest(unittest.TestCase):
                     self.fail('%s: %s' % (command, getattr(error, 'output', error)))
             time.sleep(0.2)
 
+    def start_node(self, *parameters):
+        return self.start(roslib.packages.find_node('shell_origami', 'origami_node')[0], *parameters)
+
+    def test_nobody_watches_the_master_unasked(self):
+        self.start_master()
+        relay = Relay(self.port)
+        self.environment['ROS_MASTER_URI'] = relay.uri
+        node = self.start_node()
+        self.until('rostopic', 'echo', '-n', '3', '/diagnostics')
+        mine = [method for method, caller in relay.calls if caller == '/origami']
+        self.assertIn('registerService', mine)
+        self.assertNotIn('getSystemState', mine)
+        self.assertIsNone(node.poll())
+
+    def test_a_master_that_answers_nonsense_is_survived(self):
+        self.start_master()
+        relay = Relay(self.port)
+        self.environment['ROS_MASTER_URI'] = relay.uri
+        relay.nonsense = {'getSystemState', 'getPid'}
+        node = self.start_node('_watch_master:=true')
+        deadline = time.time() + 20
+        while sum(method == 'getPid' and caller == '/origami' for method, caller in relay.calls) < 2:
+            self.assertLess(time.time(), deadline)
+            time.sleep(0.05)
+        relay.nonsense = {'getSystemState'}
+        while sum(method == 'getSystemState' and caller == '/origami'
+                  for method, caller in relay.calls) < 2:
+            self.assertLess(time.time(), deadline)
+            time.sleep(0.05)
+        self.assertIn('success: True', self.until('rosservice', 'call', '/origami/pause'))
+        self.assertIsNone(node.poll())
+
     def test_the_node_is_found_by_the_next_master(self):
         master = self.start_master()
-        program = roslib.packages.find_node('shell_origami', 'origami_node')[0]
-        node = self.start(program)
+        node = self.start_node('_watch_master:=true')
         fold = 'rosservice call /origami/fold'.split()
         self.assertIn('success: True', self.until(
             *fold, '{line: [{x: 0, y: 0}, {x: 0.15, y: 0.15}], angle: 1.0}'))
