@@ -7,7 +7,7 @@ import time
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
-from rosgraph_msgs.msg import Clock
+from rosgraph_msgs.msg import Clock, Log
 
 from moving_frame import MovingFrame
 from origami_client import NodeTest, Origami, Recorder
@@ -93,6 +93,13 @@ class FollowClockTest(NodeTest):
         frame.silent = True
         self.jump(100.0)
         self.origami.do('unpin')
+
+    def test_the_end_of_ros_time_ends_nothing(self):
+        said = Recorder('/rosout', Log)
+        self.clock.running = False
+        self.jump(2.0 ** 32 - 1)
+        said.wait(lambda log: 'no diagnostics are published' in log.msg)
+        self.jump(100.0)
 
     def test_a_jump_forward_is_not_made_up_for(self):
         diagnostics = Recorder('/diagnostics', DiagnosticArray)

@@ -1,10 +1,12 @@
 #include <shell_origami/node/diagnostics.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace shell_origami {
 namespace {
 
+constexpr double kWarnPeriod = 60;  ///< [s]
 /// Session tears before it is stretched so far.
 constexpr double kMostStrain = 0.02;
 
@@ -26,7 +28,12 @@ Diagnostics::Diagnostics(ros::NodeHandle& node, OrigamiNode& origami)
 }
 
 void Diagnostics::update() {
-  updater_.force_update();
+  try {
+    updater_.force_update();
+  } catch (const std::runtime_error& error) {
+    // The updater adds its period to the time now, which throws as ROS time comes to its end.
+    ROS_WARN_THROTTLE(kWarnPeriod, "no diagnostics are published: %s", error.what());
+  }
   counters_ = origami_.session().counters();
   dropped_ = origami_.dropped();
 }

@@ -31,17 +31,26 @@ void FrameListener::hear(const Event& event, bool are_static) {
 
 void FrameListener::set(const geometry_msgs::TransformStamped& transform,
                         const std::string& authority, bool is_static) {
+  if (isSet(transform, authority, is_static)) return;
+  ROS_WARN_THROTTLE(1, "the stamps of frame %s jumped: what was known of TF frames is forgotten",
+                    transform.child_frame_id.c_str());
+  tf_.clear();
+  // In the last seconds of ROS time tf2 keeps nothing.
+  if (!isSet(transform, authority, is_static)) tf_.clear();
+}
+
+/// Returns false where a stamp and what tf2 compares it with are too far apart for a ros::Duration,
+/// or their sum is too large for a ros::Time.
+bool FrameListener::isSet(const geometry_msgs::TransformStamped& transform,
+                          const std::string& authority, bool is_static) {
   try {
     tf_.setTransform(transform, authority, is_static);
   } catch (const tf2::TransformException& error) {
     ROS_WARN_THROTTLE(1, "a transform from %s is passed over: %s", authority.c_str(), error.what());
   } catch (const std::runtime_error&) {
-    // The new stamp and the oldest kept one are too far apart for a ros::Duration.
-    ROS_WARN("the stamps of frame %s jumped: what was known of TF frames is forgotten",
-             transform.child_frame_id.c_str());
-    tf_.clear();
-    tf_.setTransform(transform, authority, is_static);
+    return false;
   }
+  return true;
 }
 
 }  // namespace shell_origami

@@ -23,6 +23,9 @@ class FrameListener {
   void set(const geometry_msgs::TransformStamped& transform, const std::string& authority,
            bool is_static);
 
+  bool isSet(const geometry_msgs::TransformStamped& transform, const std::string& authority,
+             bool is_static);
+
   tf2_ros::Buffer& tf_;
   ros::Time last_;  ///< when it last heard of a frame
   ros::Subscriber moving_, static_;
