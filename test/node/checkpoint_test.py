@@ -7,14 +7,13 @@ import shutil
 import signal
 import subprocess
 import tempfile
-import time
 import unittest
 
 import roslib.packages
 import rospy
 import rostest
 
-from origami_client import Origami, Recorder, line
+from origami_client import Origami, Recorder, line, wait_until
 from shell_origami import msg
 
 PERIOD = 0.5
@@ -67,12 +66,19 @@ class CheckpointTest(unittest.TestCase):
     def wait_for(self, wanted, since=0):
         return self.states.wait(wanted, since=since, timeout=20)
 
+    def wait_for_checkpoint(self):
+        """Waits until the next one is written."""
+        def written():
+            return os.path.exists(self.file) and os.stat(self.file).st_mtime_ns
+        before = written()
+        wait_until(lambda: written() not in (False, before))
+
     def test_killed_in_a_recipe_it_goes_on_to_the_bit(self):
         output = os.path.join(self.folder, 'results')
         parameters = [('recipe', RECIPE), ('output', output)]
         node = self.start(*parameters)
         self.wait_for(lambda s: s.creases and 0.4 < s.creases[0].angle < 1.2)
-        time.sleep(PERIOD)
+        self.wait_for_checkpoint()
         node.end(signal.SIGKILL)
         before = {(s.edits, s.step): s for s in self.states.all()}
         last = max(step for _, step in before)
@@ -104,7 +110,7 @@ class CheckpointTest(unittest.TestCase):
         parameters = [('recipe', recipe), ('output', output), ('fold_duration', '1.5')]
         node = self.start(*parameters)
         self.wait_for(lambda s: s.creases and s.creases[0].angle > 0.05)
-        time.sleep(PERIOD)
+        self.wait_for_checkpoint()
         node.end(signal.SIGKILL)
         self.assertFalse(os.path.exists(os.path.join(output, 'report.json')))
 

@@ -24,6 +24,7 @@ from whole_sheet import Broken, area, check_sheet, check_state
 AREAS = {'square': 0.15 * 0.15, 'strip': 0.1 * 0.05}  # [m^2]
 STRIP = 'sheet: {size: [0.1, 0.05], max_edge: 0.03}\nsteps: []\n'
 LONGEST_SENTENCE = 1100
+FRAMES = ['hand', '9 lives', '_']
 PHYSICS = ['gravity_x', 'gravity_y', 'gravity_z', 'air_damping', 'fold_duration']
 
 
@@ -45,7 +46,7 @@ class FuzzRequestsTest(NodeTest):
     @classmethod
     def setUpClass(cls):
         super(FuzzRequestsTest, cls).setUpClass()
-        cls.frames = still_frames(['hand', '9 lives', '_'])
+        cls.frames = still_frames(FRAMES)
         cls.live = rospy.ServiceProxy('/origami/live/set_parameters', Reconfigure)
         cls.results = Recorder('/origami/fold_recipe/result', FoldRecipeActionResult)
         cls.feedback = Recorder('/origami/fold_recipe/feedback', FoldRecipeActionFeedback)
@@ -53,7 +54,8 @@ class FuzzRequestsTest(NodeTest):
         cls.goals = rospy.Publisher('/origami/fold_recipe/goal', FoldRecipeActionGoal, queue_size=10)
         cls.cancels = rospy.Publisher('/origami/fold_recipe/cancel', GoalID, queue_size=10)
         cls.folder = tempfile.mkdtemp()
-        rospy.sleep(0.5)  # until the node has heard of the frames
+        for frame in FRAMES:  # until the node has heard of them
+            cls.origami.do('pin', vertices=[0], frame_id=frame)
         with open(os.path.join(cls.folder, 'strip.yaml'), 'w') as strip:
             strip.write(STRIP)
 

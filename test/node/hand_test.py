@@ -2,7 +2,6 @@
 """The hand that rviz shows takes a vertex that is picked, drags it along, and lets go."""
 
 import math
-import time
 
 import rosnode
 import rospy
@@ -12,7 +11,7 @@ from rosgraph_msgs.msg import Log
 from visualization_msgs.msg import (InteractiveMarkerFeedback, InteractiveMarkerInit,
                                     InteractiveMarkerUpdate)
 
-from origami_client import NodeTest, Recorder
+from origami_client import NodeTest, Recorder, wait_until
 
 SIDE = 0.15
 NAN, INF = float('nan'), float('inf')
@@ -92,6 +91,14 @@ class HandTest(NodeTest):
     def drag(self, pose, **fields):
         self.send(InteractiveMarkerFeedback.POSE_UPDATE, pose=pose, **fields)
 
+    def drag_until_said(self, pose, words, since, **fields):
+        """Drags again and again, for the hand warns once a second; returns the warning."""
+        def warning():
+            self.drag(pose, **fields)
+            return next((log for log in self.log.all()[since:]
+                         if log.name == '/hand' and words in log.msg), None)
+        return wait_until(warning)
+
     def place(self, vertex):
         p = self.origami.states.all()[-1].positions[vertex]
         return p.x, p.y, p.z
@@ -104,7 +111,7 @@ class HandTest(NodeTest):
 
     def test_a_picked_vertex_stays_where_it_is_until_it_is_dragged(self):
         corner = self.take_corner()
-        time.sleep(0.5)
+        self.origami.pass_steps(30)  # in which it does not move
         self.follows(corner, SIDE, SIDE, 0)
         self.drag(pose_at(0.13, 0.14, 0.05))
         self.follows(corner, 0.13, 0.14, 0.05)
@@ -149,22 +156,25 @@ class HandTest(NodeTest):
         corner = self.take_corner()
         self.origami.do('unpin', vertices=[corner])
         self.edit('unpin')
-        self.assertEqual(self.take_corner(), corner)
+
+        def taken_again():  # once the hand has heard of it, too
+            self.click(SIDE, SIDE)
+            return any(edit.kind == 'pin' and edit.number > self.last_edit
+                       for edit in self.origami.edits.all())
+        wait_until(taken_again)
+        self.assertEqual(list(self.edit('pin').vertices), [corner])
 
     def test_poses_that_make_no_sense_move_nothing(self):
         corner = self.take_corner()
         for pose in (pose_at(NAN, 0, 0), pose_at(0, 0, INF), pose_at(0, 0, 0, 0, 0, 0, 0),
                      pose_at(0, 0, 0, NAN)):
             since = len(self.log.all())
-            self.drag(pose)
-            self.assertEqual(self.said('the hand stays', since).level, Log.WARN)
-            time.sleep(1)  # it warns once a second
+            self.assertEqual(self.drag_until_said(pose, 'the hand stays', since).level, Log.WARN)
         self.drag(pose_at(0, 0, 1), marker_name='foot')
         since = len(self.log.all())
         elsewhere = InteractiveMarkerFeedback().header
         elsewhere.frame_id = 'elsewhere'
-        self.drag(pose_at(0, 0, 1), header=elsewhere)
-        self.said('the hand stays', since)
+        self.drag_until_said(pose_at(0, 0, 1), 'the hand stays', since, header=elsewhere)
         self.follows(corner, SIDE, SIDE, 0)
         self.send(InteractiveMarkerFeedback.MENU_SELECT, menu_entry_id=12345)
         self.drag(pose_at(0.14, 0.15, 0.02))

@@ -42,8 +42,6 @@ class HeldFramesSimTimeTest(NodeTest):
                                  since=len(self.origami.states.all()))
 
     def test_time_jumps_back(self):
-        self.hand.pose = (0, 0, 0, 0)
-        time.sleep(0.5)
         held = self.origami.do('pin', vertices=[0], frame_id='hand').vertices
         self.origami.do('resume')
         self.hand.go((0, 0, 0.01, 0), 0.5)

@@ -6,10 +6,10 @@ import threading
 
 import rospy
 import rostest
-from geometry_msgs.msg import Point32, Polygon, WrenchStamped
+from geometry_msgs.msg import Point, Point32, PointStamped, Polygon, WrenchStamped
 
 from moving_frame import MovingFrame
-from origami_client import NodeTest, Recorder
+from origami_client import NodeTest, Recorder, distance, wait_until
 
 SIDE = 0.15
 WEIGHT = 800 * 1e-4 * SIDE * SIDE * 9.81  # [N]
@@ -33,8 +33,18 @@ class HeldFramesTest(NodeTest):
         super(HeldFramesTest, self).setUp()
         self.hand.silent = False
         self.hand.pose = (0.2, 0.1, 0, 0.3)
-        rospy.sleep(0.3)  # until the node has heard of it
+        wait_until(self.knows_the_hand)
+        self.origami.do('unpin')
         self.origami.do('pin', region=LEFT)
+
+    def knows_the_hand(self):
+        """Whether the node finds the flat sheet's corner where the hand's pose says that it is."""
+        corner = PointStamped()
+        corner.header.frame_id = 'hand'
+        x, y, z, yaw = self.hand.pose
+        c, s = math.cos(yaw), math.sin(yaw)
+        corner.point = Point(-c * x - s * y, s * x - c * y, -z)
+        return self.origami.call('pin', center=corner, radius=1e-4).success
 
     def hold(self):
         return self.origami.do('pin', region=RIGHT, frame_id='hand').vertices
@@ -49,18 +59,18 @@ class HeldFramesTest(NodeTest):
         c, s = math.cos(end[3] - start[3]), math.sin(end[3] - start[3])
         return end[0] + c * dx - s * dy, end[1] + s * dx + c * dy, place[2] + end[2] - start[2]
 
-    def assert_at(self, vertices, wanted, delta=1e-6):
-        for place, goal in zip(self.places(vertices), wanted):
-            for a, b in zip(place, goal):
-                self.assertAlmostEqual(a, b, delta=delta)
+    def wait_until_at(self, vertices, wanted):
+        """Until the vertices, which follow a little behind, are there."""
+        self.origami.states.wait(lambda state: all(
+            distance(state.positions[v], Point(*place)) < 1e-6 for v, place in zip(vertices, wanted)),
+            since=len(self.origami.states.all()))
 
     def test_the_edge_goes_rigidly_where_the_frame_goes(self):
         held = self.hold()
         before, start, end = self.places(held), self.hand.pose, (0.19, 0.11, 0.05, 0.5)
         self.origami.do('resume')
         self.hand.go(end, 1.0)
-        rospy.sleep(1.0)  # it follows a little behind
-        self.assert_at(held, [self.carried(p, start, end) for p in before])
+        self.wait_until_at(held, [self.carried(p, start, end) for p in before])
 
     def test_between_transforms_it_goes_smoothly(self):
         # Ten transforms a second, thirty states: none waits for a transform and then leaps.
@@ -80,31 +90,31 @@ class HeldFramesTest(NodeTest):
 
     def test_a_silent_frame_holds_the_paper_where_it_is(self):
         held = self.hold()
+        flat = self.places(held)
         self.origami.do('resume')
         self.hand.go((0.2, 0.1, 0.01, 0.3), 0.3)
-        rospy.sleep(0.5)
+        self.wait_until_at(held, [(x, y, z + 0.01) for x, y, z in flat])
         before = self.places(held)
         self.hand.silent = True
         self.origami.do('resume')
-        rospy.sleep(1.5)
-        self.assertEqual(self.places(held), before)
+        self.origami.pass_steps(90)  # more than the second after which a frame counts as silent
+        for place, was in zip(self.places(held), before):
+            self.assertLess(math.dist(place, was), 1e-6)
         # Heard of again it is where it was, and goes on.
         self.hand.silent = False
         self.origami.do('resume')
         self.hand.go((0.2, 0.1, 0.02, 0.3), 0.3)
-        rospy.sleep(1.5)
-        for (x, y, z), (x0, y0, z0) in zip(self.places(held), before):
-            self.assertAlmostEqual(z, z0 + 0.01, delta=1e-6)
+        self.wait_until_at(held, [(x, y, z + 0.02) for x, y, z in flat])
 
     def test_a_frame_that_jumps_is_followed_no_faster_than_an_arm_moves(self):
         held = self.hold()
+        flat = self.places(held)
         self.origami.do('resume')
-        rospy.sleep(0.2)
+        self.origami.pass_steps(10)
         since = len(self.origami.states.all())
         self.hand.pose = (0.2, 0.1, 0.10, 0.3)
-        rospy.sleep(1.0)
+        self.wait_until_at(held, [(x, y, z + 0.10) for x, y, z in flat])
         states = self.origami.states.all()[since:]
-        self.assertAlmostEqual(states[-1].positions[held[0]].z, 0.10, delta=1e-6)
         for a, b in zip(states, states[1:]):
             rise = b.positions[held[0]].z - a.positions[held[0]].z
             self.assertLessEqual(rise, 2.0 / 60 * (b.step - a.step) + 1e-6)
@@ -114,9 +124,9 @@ class HeldFramesTest(NodeTest):
         left = Recorder('/origami/wrench/world', WrenchStamped)
         hand = Recorder('/origami/wrench/hand', WrenchStamped)
         self.origami.do('settle')
-        self.origami.state()
-        rospy.sleep(1.2)  # the paused paper is published twice a second
-        in_world, in_hand = left.all()[-1], hand.all()[-1]
+        settled = self.origami.state().header.stamp
+        in_world = left.wait(lambda wrench: wrench.header.stamp >= settled)
+        in_hand = hand.wait(lambda wrench: wrench.header.stamp >= settled)
         self.assertEqual(in_world.header.frame_id, 'world')
         self.assertEqual(in_hand.header.frame_id, 'hand')
         up = in_world.wrench.force.z + in_hand.wrench.force.z  # the hand's z is the world's
@@ -129,7 +139,6 @@ class HeldFramesTest(NodeTest):
     def test_frames_that_no_topic_could_be_called_like_hold_it_too(self):
         for number, name in enumerate(('_', '9 lives', '\u00e4')):
             MovingFrame(name)
-            rospy.sleep(0.5)
             self.origami.do('pin', vertices=[number], frame_id=name)
             self.origami.state()  # which publishes what holds it
             self.assertTrue(self.origami.alive(), name)

@@ -76,6 +76,13 @@ class MasterRestartTest(unittest.TestCase):
                     self.fail('%s: %s' % (command, getattr(error, 'output', error)))
             time.sleep(0.2)
 
+    def until_heard(self, heard, count):
+        """Until a listener has heard so many states: it fails where the listener was lost."""
+        deadline = time.time() + 10
+        while len(heard) <= count:
+            self.assertLess(time.time(), deadline, 'a listener was lost')
+            time.sleep(0.02)
+
     def start_node(self, *parameters):
         return self.start(roslib.packages.find_node('shell_origami', 'origami_node')[0], *parameters)
 
@@ -119,14 +126,12 @@ class MasterRestartTest(unittest.TestCase):
                           stdout=subprocess.PIPE, universal_newlines=True)
         threading.Thread(target=lambda: heard.extend(iter(echo.stdout.readline, '')),
                          daemon=True).start()
-        time.sleep(3)  # until the node knows what the master knows of it
-        self.assertGreater(len(heard), 10)
+        time.sleep(3)  # until the node has asked the master about itself, which nothing shows
+        self.until_heard(heard, 10)
 
         master.send_signal(signal.SIGKILL)
         master.wait()
-        before = len(heard)
-        time.sleep(1)
-        self.assertGreater(len(heard), before + 10, 'a listener was lost with the master')
+        self.until_heard(heard, len(heard) + 10)
         self.assertIsNone(node.poll())
 
         self.start_master()
@@ -139,16 +144,13 @@ class MasterRestartTest(unittest.TestCase):
         with tempfile.TemporaryFile('w+') as picked:
             listener = self.start('rostopic', 'echo', '-n', '1', '/origami/picked/vertex',
                                   stdout=picked)
-            time.sleep(1)
             self.start('rostopic', 'pub', '-r', '2', '/clicked_point', 'geometry_msgs/PointStamped',
                        "{header: {frame_id: 'world'}, point: {x: 0.0, y: 0.0, z: 0.0}}",
                        stdout=subprocess.DEVNULL)
             self.assertEqual(listener.wait(15), 0)
             picked.seek(0)
             self.assertRegex(picked.read(), r'^\d+')
-        before = len(heard)
-        time.sleep(1)
-        self.assertGreater(len(heard), before + 10, 'the first listener was lost')
+        self.until_heard(heard, len(heard) + 10)
         node.send_signal(signal.SIGINT)
         self.assertEqual(node.wait(10), 0)
 

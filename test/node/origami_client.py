@@ -11,6 +11,7 @@ import rosnode
 import rospy
 from geometry_msgs.msg import Point
 from std_srvs.srv import Trigger
+from tf2_msgs.msg import TFMessage
 
 from shell_origami import msg, srv
 
@@ -23,6 +24,18 @@ SERVICES = {
     'load': srv.Load, 'save': srv.Save, 'step': srv.Step,
     'settle': Trigger, 'pause': Trigger, 'resume': Trigger, 'reset': Trigger,
 }
+
+
+def wait_until(condition, timeout=10):
+    """Returns the first true value of `condition()`."""
+    deadline = time.time() + timeout
+    while True:
+        value = condition()
+        if value:
+            return value
+        if time.time() > deadline:
+            raise AssertionError('not so within %g s' % timeout)
+        time.sleep(0.02)
 
 
 class Recorder(object):
@@ -97,15 +110,47 @@ class Origami(object):
         self.state()
         return self.edits.wait(lambda edit: edit.kind == kind and edit is self.edits.messages[-1])
 
+    def pass_steps(self, count):
+        """Waits until the node, which must be running, has taken so many more steps."""
+        start = self.states.wait(since=len(self.states.all())).step
+        self.states.wait(lambda state: state.step >= start + count, timeout=20)
+
+    def edits_since(self, number):
+        """Every edit after the one of this number. Pauses the node."""
+        last = self.state().edits
+        if last > number:
+            self.edits.wait(lambda edit: edit.number == last)  # they arrive in order
+        return [edit for edit in self.edits.all() if edit.number > number]
+
+    def api(self):
+        return xmlrpc.client.ServerProxy(rospy.get_master().lookupNode(self.name)[2])
+
+    def wait_for_listener(self, node, topics):
+        """Waits until a node whose name begins so is connected to these topics of this one."""
+        def connected():
+            _, _, connections = self.api().getBusInfo('/test')
+            return {topic for _, other, way, _, topic, *_ in connections
+                    if way == 'o' and other.startswith(node)}
+        wait_until(lambda: connected().issuperset(topics))
+
     def memory(self):
         """What the node keeps resident [bytes]."""
-        node_api = rospy.get_master().lookupNode(self.name)[2]
-        _, _, pid = xmlrpc.client.ServerProxy(node_api).getPid('/test')
+        _, _, pid = self.api().getPid('/test')
         with open('/proc/%d/statm' % pid) as statm:
             return int(statm.read().split()[1]) * os.sysconf('SC_PAGE_SIZE')
 
     def alive(self):
         return rosnode.rosnode_ping(self.name, max_count=1, verbose=False)
+
+
+def wait_for_panels():
+    """Waits until a paused node knows the panels' frames as they are: it hears what it sends itself
+    about when this test does, and by the second time for sure."""
+    frames = Recorder('/tf', TFMessage)
+    for _ in range(2):
+        frames.wait(lambda m: any(t.child_frame_id.startswith('panel_') for t in m.transforms),
+                    since=len(frames.all()))
+    frames.subscriber.unregister()
 
 
 def line(x0, y0, x1, y1):

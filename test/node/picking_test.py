@@ -7,7 +7,7 @@ import rospy
 import rostest
 from geometry_msgs.msg import PointStamped
 
-from origami_client import NodeTest, Origami, Recorder, distance, line
+from origami_client import NodeTest, Origami, Recorder, distance, line, wait_for_panels
 from shell_origami.msg import Picked
 
 SIDE = 0.15
@@ -80,7 +80,7 @@ class PickingTest(NodeTest):
         self.assertGreater(picked.distance, 4)
 
     def test_a_click_may_be_in_any_frame(self):
-        rospy.sleep(0.7)  # until the node has heard the panels' frames itself
+        wait_for_panels()
         for stamp in (rospy.Time.now(), rospy.Time(1), rospy.Time.now() + rospy.Duration(100)):
             for panel in ('panel_0', 'panel_1'):
                 _, picked = self.pick(0, 0, 0, frame=panel, stamp=stamp)

@@ -13,7 +13,7 @@ import rospy
 import rostest
 from visualization_msgs.msg import MarkerArray
 
-from origami_client import NodeTest, Origami, Recorder, line
+from origami_client import NodeTest, Origami, Recorder, line, wait_until
 
 TOPICS = ['/origami/sheet', '/origami/state', '/origami/edits', '/tf', '/tf_static']
 
@@ -42,16 +42,17 @@ class ReplayTest(NodeTest):
         # Not by the command rosbag: on Debian 11 it does not pass the signal to stop on.
         program = roslib.packages.find_node('rosbag', 'record')[0]
         recording = subprocess.Popen([program, '-O', self.bag] + TOPICS)
-        rospy.sleep(2)
+        self.origami.wait_for_listener('/record', [t for t in TOPICS if t.startswith('/origami')])
+        self.origami.states.wait(lambda state: state.creases and state.settled)
         self.origami.do('fold', line=line(0.10, 0, 0.10, 0.15), angle=-1.0, duration=0.5)
         self.origami.do('pin', vertices=[0])
-        rospy.sleep(1)
-        self.origami.do('pause')
-        rospy.sleep(0.2)
+        self.origami.pass_steps(90)
+        self.origami.state()
         stop(recording)
         return {m.markers[0].header.stamp: m for m in live.all()}
 
-    def replay(self):
+    def replay(self, count):
+        """What is drawn of a recording of so many states."""
         program = roslib.packages.find_node('shell_origami', 'origami_markers')[0]
         drawn = Recorder('/replayed/markers', MarkerArray)
         rospy.set_param('/painter', {'origami': 'replayed',
@@ -61,7 +62,7 @@ class ReplayTest(NodeTest):
             ['rosbag', 'play', '--quiet', '--rate', '2', '--delay', '1', self.bag] +
             [topic + ':=/replayed' + topic.replace('/origami', '') for topic in TOPICS])
         self.assertEqual(player.wait(20), 0)
-        rospy.sleep(0.3)
+        wait_until(lambda: len(drawn.all()) > count - 3)
         stop(painter)
         return drawn.all()
 
@@ -75,9 +76,7 @@ class ReplayTest(NodeTest):
         self.assertEqual(len(sheets), 2)
         self.assertGreater(len(states), 30)
 
-        replayed = self.replay()
-        self.assertGreater(len(replayed), len(states) - 3)
-        for message in replayed:
+        for message in self.replay(len(states)):
             self.assertEqual(message, live[message.markers[0].header.stamp])  # in every field
 
 

@@ -43,11 +43,10 @@ class ResimulateTest(NodeTest):
         # Not by the command rosbag: on Debian 11 it does not pass the signal to stop on.
         program = roslib.packages.find_node('rosbag', 'record')[0]
         self.recorder = subprocess.Popen([program, '-O', self.bag] + TOPICS)
-        rospy.sleep(1.5)
+        self.origami.wait_for_listener('/record', TOPICS)
 
     def stop_recording(self):
-        self.origami.do('pause')
-        rospy.sleep(0.3)
+        self.origami.state()  # the last that is recorded
         self.recorder.send_signal(signal.SIGINT)
         self.assertEqual(self.recorder.wait(10), 0)
 
@@ -72,7 +71,7 @@ class ResimulateTest(NodeTest):
         live = dynamic_reconfigure.client.Client('/origami/live', timeout=10)
         live.update_configuration({'gravity_z': -3.0})
         self.origami.do('fold', line=line(0.10, 0, 0.09, SIDE), angle=-0.7, duration=0.4)
-        rospy.sleep(0.3)
+        self.origami.pass_steps(20)
         self.origami.do('pause')
         self.origami.do('step', steps=20)
         self.origami.do('settle')
@@ -83,7 +82,7 @@ class ResimulateTest(NodeTest):
         self.origami.do('reset')
         self.origami.do('fold', vertices=[1, 3], angle=0.5, duration=0.2)
         self.origami.do('resume')
-        rospy.sleep(0.5)
+        self.origami.pass_steps(30)
         self.stop_recording()
 
     def a_border_edge(self):
@@ -173,6 +172,7 @@ class ResimulateTest(NodeTest):
     def test_a_state_that_is_not_finite_differs(self):
         self.origami.do('resume')
         self.start_recording()
+        self.origami.pass_steps(30)
         self.stop_recording()
 
         def spoil(topic, message):

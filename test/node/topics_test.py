@@ -155,9 +155,10 @@ class TopicsTest(NodeTest):
 
     def test_no_frame_is_sent_twice_with_one_stamp(self):
         self.origami.do('resume')
-        rospy.sleep(0.5)
+        self.origami.pass_steps(30)
         self.origami.do('pause')
-        rospy.sleep(0.7)
+        for _ in range(2):
+            self.frames.wait(since=len(self.frames.all()))
         stamps = [m.transforms[0].header.stamp for m in self.frames.all()]
         self.assertEqual(stamps, sorted(set(stamps)))
 
