@@ -1,4 +1,4 @@
-"""Where rviz's orbiting camera stands."""
+"""The position of rviz's orbit camera."""
 import math
 
 
@@ -18,8 +18,8 @@ class Orbit:
         self.focal, self.distance = (0, 0, 0), 1
 
     def hold(self, points, aspect, part):
-        """Goes as near as it can with every point in view: within this part of the picture, whose
-        width over height is `aspect`, and in its middle."""
+        """Moves the camera as close as possible with every point in view: centered, within this part
+        of the picture, whose width over height is `aspect`."""
         across, upwards = part * self.slope * aspect, part * self.slope
         # A point (x, y, z) along right, up, back is in view from (fx, fy, d) where
         # |x - fx| <= (d - z) across: so that fx / across is at most d - z - x / across, and so on.
@@ -35,5 +35,5 @@ class Orbit:
         self.distance = max(right + left, high + low) / 2 - middle
 
     def at(self, x, y, z):
-        """The point of these coordinates along right, up and back."""
+        """Returns the point with these coordinates along right, up and back."""
         return tuple(x * r + y * u + z * b for r, u, b in zip(self.right, self.up, self.back))

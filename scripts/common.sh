@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What the scripts share. Source it.
+# Functions that the scripts share. To be sourced.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -11,7 +11,7 @@ die() {
   exit 1
 }
 
-# ROS's setup files read variables that nobody has set.
+# ROS's setup files read variables that may be unset.
 source_setup() {
   set +u
   # shellcheck disable=SC1090
@@ -19,19 +19,19 @@ source_setup() {
   set -u
 }
 
-# Debian's own ROS lies in /usr and needs no setup; Ubuntu 20.04's does.
+# Debian's own ROS is in /usr and needs no setup; Ubuntu 20.04's does.
 source_ros() {
   if [[ -f /opt/ros/noetic/setup.bash ]]; then source_setup /opt/ros/noetic/setup.bash; fi
 }
 
-# Everything of ROS stays on this machine and inside build/: no user's master is met, no host name
-# has to resolve, nothing lands in ~/.ros.
+# Keeps ROS on this machine and inside build/: does not contact the user's master, does not need this
+# host's name to resolve, writes nothing to ~/.ros.
 isolate_ros() {
   unset ROS_HOSTNAME ROS_MASTER_URI ROS_LOG_DIR
   export ROS_IP=127.0.0.1 ROS_HOME=$root/build/ros
 }
 
-# Without either of the two, ROS wants this host's name to resolve, and fails where it does not.
+# Without either of the two variables, ROS fails if this host's name does not resolve.
 name_this_host() {
   if [[ -z ${ROS_IP-}${ROS_HOSTNAME-} ]] && ! getent hosts "$(uname -n)" >/dev/null; then
     export ROS_IP=127.0.0.1
@@ -42,8 +42,8 @@ free_port() {
   python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
 
-# Passes lines on, except those of progress, "[ 43%] what is being done": on a terminal each of them
-# overwrites the one before, in a log one in ten percent is kept. The rest goes to stderr.
+# Shows progress, lines such as "[ 43%] Building ...": on a terminal each overwrites the one before, in a
+# log one for every ten percent is kept. All other lines go to stderr.
 show_progress() {
   local line percent last=-10 columns
   columns=$(tput cols 2>/dev/null || echo 80)
@@ -65,7 +65,7 @@ show_progress() {
   if [[ -t 1 ]]; then printf '\r\033[K'; fi
 }
 
-# configure FOLDER OPTION...: CMake's own words are shown only when it fails.
+# configure FOLDER OPTION...: CMake's output is shown only if it fails.
 configure() {
   mkdir -p "$1"
   if ! cmake -S "$root" -B "$1" "${@:2}" >"$1/configure.log" 2>&1; then

@@ -1,5 +1,5 @@
-"""What the scripts share that take rviz's picture: an rviz on a display of its own. The programs
-started here end with the block that they run in."""
+"""Functions of the scripts that take rviz's picture: an rviz on a display of its own. Programs started
+here end with the `with` block that they run in."""
 import contextlib
 import os
 import re
@@ -10,16 +10,16 @@ import threading
 
 from rviz_config import Failure, config_for, write_config
 
-# Debian 11's rospy still asks threads by this name as it ends, which its Python no longer knows.
+# Debian 11's rospy calls this method at its end, which Debian 11's Python no longer has.
 if not hasattr(threading.Thread, "isAlive"):
     threading.Thread.isAlive = threading.Thread.is_alive
 
-# Drawn this many times as large and then reduced, for smooth edges.
+# Pictures are drawn this many times as large and then reduced, for smooth edges.
 OVERSAMPLING = 2
 
 
 def read_size(text):
-    """WIDTHxHEIGHT in pixels, as argparse wants a type."""
+    """Parses WIDTHxHEIGHT in pixels, as a type of argparse."""
     size = re.fullmatch(r"([1-9]\d{1,3})x([1-9]\d{1,3})", text)
     if not size:
         raise ValueError
@@ -30,7 +30,7 @@ read_size.__name__ = "size, WIDTHxHEIGHT in pixels"  # as argparse calls it in i
 
 
 def bare_config(view, box, width, height):
-    """rviz's configuration with a recipe's view of the box, the grid right under it, no panels."""
+    """Returns rviz's configuration with a recipe's view of the box, the grid just below it, no panels."""
     config = config_for(view, box, box[2][0] - 0.001)
     config["Panels"] = []
     config["Window Geometry"] = {"X": 0, "Y": 0, "Width": width, "Height": height,
@@ -40,8 +40,7 @@ def bare_config(view, box, width, height):
 
 @contextlib.contextmanager
 def running(command, **options):
-    """The program and what it starts, for as long as the block lasts. Ctrl-C reaches it through
-    this one alone."""
+    """Runs a program during the `with` block, in a process group of its own: Ctrl-C does not reach it."""
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, start_new_session=True, **options)
     try:
         yield process
@@ -50,7 +49,7 @@ def running(command, **options):
 
 
 def stop(process, how):
-    """Ends a program and what it started."""
+    """Ends a program and the processes that it started."""
     for attempt in (how, signal.SIGKILL):
         with contextlib.suppress(ProcessLookupError):
             os.killpg(process.pid, attempt)
@@ -73,14 +72,14 @@ def virtual_display(width, height):
 
 
 class Rviz:
-    """An rviz that fills its display. What it has said is printed when the block fails."""
+    """An rviz that fills its display. Its output is printed if the block fails."""
 
     def __init__(self, process, environment):
         self.process = process
         self.environment = environment
 
     def screenshot(self, *options):
-        """What `import` makes of the display, with options that end in the kind of image."""
+        """Returns the display as ImageMagick's `import` captures it, with its options and image format."""
         if self.process.poll() is not None:
             raise Failure("rviz ended with status %d" % self.process.returncode)
         return subprocess.run(["import", "-silent", "-window", "root", *options],
@@ -94,7 +93,7 @@ def offscreen_rviz(config, folder):
     window = config["Window Geometry"]
     with virtual_display(window["Width"], window["Height"]) as display, \
             open(os.path.join(folder, "rviz.log"), "w+") as log:
-        # A home of its own, so that nobody's rviz settings are read or written.
+        # A home of its own, so that the user's rviz settings are neither read nor written.
         environment = dict(os.environ, DISPLAY=display, HOME=folder, XDG_RUNTIME_DIR=folder,
                            LIBGL_ALWAYS_SOFTWARE="1", QT_X11_NO_MITSHM="1")
         command = ["rviz", "--fullscreen", "--display-config", path]
@@ -108,7 +107,7 @@ def offscreen_rviz(config, folder):
 
 
 def exit_code_of(work, name):
-    """Does the work. What goes wrong is one sentence and a code that is not zero."""
+    """Runs a script's main function; an error becomes one line and a non-zero exit code."""
     # The programs started here end with this one.
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     try:

@@ -1,4 +1,4 @@
-"""A recorded run: the sheets and states of a bag, without the types that made them."""
+"""A recorded run: the sheets and states of a bag, read without the message types of its version."""
 import os
 
 import rosbag
@@ -9,7 +9,7 @@ SHEET, STATE = "/origami/sheet", "/origami/state"
 
 
 class Recording:
-    """Reads the bag anew for every question, since a long run does not fit into memory."""
+    """Reads the bag again in every method, because a long run does not fit into memory."""
 
     def __init__(self, path):
         if not os.path.isfile(path):
@@ -34,8 +34,8 @@ class Recording:
             raise Failure("cannot read '%s': %s" % (self.path, error))
 
     def states(self):
-        """In order, each with the time [s] that has passed since the first. Where stamps go back
-        (a simulator was reset), time goes on from there."""
+        """Yields the states in order, each with the time since the first [s]. Where stamps jump back
+        (a simulator was reset), time continues."""
         elapsed, last = 0, None
         for state in self._messages(STATE):
             sheet = self.sheets.get(state.revision)
@@ -50,8 +50,8 @@ class Recording:
         return self.sheets[state.revision]
 
     def frames(self, fps, speed):
-        """The states that a film shows, as pairs: which one, and for how many frames. The last is
-        the end of the run."""
+        """Returns the states that a film shows, as pairs of the state's number and its count of frames.
+        The last one is the end of the run."""
         times = [elapsed for elapsed, _ in self.states()]
         if not times:
             raise Failure("no state of '%s' belongs to a sheet of it" % self.path)
@@ -69,7 +69,7 @@ class Recording:
         return shown
 
     def pick(self, wanted):
-        """The states of these numbers, which ascend."""
+        """Yields the states with these numbers, which must ascend."""
         wanted = set(wanted)
         for number, (_, state) in enumerate(self.states()):
             if number in wanted:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes rviz's configuration for a recipe, with the camera where the recipe's `view` says.
+"""Writes rviz's configuration for a recipe, with the camera at the recipe's `view`.
 
 scripts/rviz_config.py OUT.rviz --recipe RECIPE.yaml --paper PAPER.obj
 
@@ -31,12 +31,12 @@ def read_view(recipe):
 
 
 def box_of(points):
-    """Least and greatest coordinate along each axis."""
+    """Returns the least and the greatest coordinate along each axis."""
     return [(min(axis), max(axis)) for axis in zip(*points)]
 
 
 def config_for(view, box, ground):
-    """rviz/origami.rviz looking at the middle of the box, with the grid at height `ground` [m]."""
+    """Returns rviz/origami.rviz looking at the middle of the box, with the grid at height `ground` [m]."""
     with open(os.path.join(ROOT, "rviz", "origami.rviz")) as file:
         config = yaml.safe_load(file)
     middle = [(low + high) / 2 for low, high in box]
