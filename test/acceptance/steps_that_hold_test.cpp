@@ -1,4 +1,4 @@
-/// What tears at paper: it ends finite, whole, and where it can, at rest.
+/// Steps under extreme loads: the paper stays finite and whole, and comes to rest where it can.
 #include <shell_origami/mesh/triangulate.h>
 #include <shell_origami/origami/simulation.h>
 
@@ -58,8 +58,12 @@ TEST(StepsThatHold, AFoldInNoTimeOrTenMilliseconds) {
       simulation.fold(diagonal(170 * kDegree, duration));
       EXPECT_TRUE(run(simulation, 2));
       expectWhole(simulation);
-      // A crease turns what it is stiff enough for: thick paper is heavier, not stiffer to turn.
-      EXPECT_NEAR(simulation.creases()[0].angle / kDegree, 170, thickness > 5e-4 ? 175 : 20);
+      // Thick paper, ten times as heavy as copy paper, still swings by a third of a degree.
+      EXPECT_NEAR(simulation.creases()[0].angle / kDegree, 170, 0.5);
+      // Nothing bends the crease of free paper. A static solve ends at 1e-6 of the forces.
+      const StepReport rest = simulation.settle();
+      EXPECT_TRUE(rest.converged) << rest.failure;
+      EXPECT_NEAR(simulation.creases()[0].angle / kDegree, 170, 5e-5);
     }
   }
 }
@@ -72,9 +76,11 @@ TEST(StepsThatHold, AHundredTimesGravity) {
     config.gravity = {0, 0, -981};
     Simulation simulation = square(config);
     simulation.pin(Region{{{0, 0}, {0.02, 0}, {0.02, kSide}, {0, kSide}}});
-    run(simulation, 1);
+    EXPECT_TRUE(run(simulation, 1));
     expectWhole(simulation);
-    EXPECT_LT(simulation.positions().row(2).minCoeff(), -0.01);
+    // What is free hangs down: 0.13 m, stretched by less than 1 %; the thickest bends the least.
+    EXPECT_LT(simulation.positions().row(2).minCoeff(), -0.1);
+    EXPECT_GT(simulation.positions().row(2).minCoeff(), -0.13 * 1.01);
   }
 }
 
@@ -82,33 +88,57 @@ TEST(StepsThatHold, APinnedVertexYankedByFiveCentimetresInOneStep) {
   for (const Vector3& way : {Vector3(0, 0, 0.05), Vector3(0, -0.05, 0), Vector3(0.05, 0.05, 0)}) {
     Simulation simulation = square({});
     const int corner = simulation.pin(std::vector<Vector2>{{0, 0}}, "hand", {})[0];
-    run(simulation, 0.1);
+    EXPECT_TRUE(run(simulation, 0.1));
     const Vector3 there = simulation.positions().col(corner) + way;
     simulation.carry("hand", Pose{way});
-    const Positions before = simulation.positions();
     const StepReport report = simulation.step();
+    EXPECT_TRUE(report.converged) << report.failure;
     expectWhole(simulation);
-    if (report.converged) EXPECT_LT((simulation.positions().col(corner) - there).norm(), 1e-12);
-    else EXPECT_EQ(simulation.positions(), before);
+    EXPECT_LT((simulation.positions().col(corner) - there).norm(), 1e-15);
     EXPECT_TRUE(run(simulation, 0.5));
     expectWhole(simulation);
   }
 }
 
-TEST(StepsThatHold, AHeldSheetPulledApartGivesUpAndSaysWhere) {
-  // Both ends held, one carried far through the other: no such paper.
+TEST(StepsThatHold, AFlapCarriedThroughItsOtherHalfFailsAndSaysWhere) {
+  constexpr double kMiddle = kSide / 2;
+  Simulation simulation = square({});
+  FoldEdit fold;
+  fold.where = Segment{Vector2(kMiddle, 0), Vector2(kMiddle, kSide)};
+  simulation.fold(fold);
+  const double beyond = kMiddle + 1e-4;
+  simulation.pin(Region{{{0, 0}, {beyond, 0}, {beyond, kSide}, {0, kSide}}});
+  simulation.pin(Region{{{beyond, 0}, {kSide, 0}, {kSide, kSide}, {beyond, kSide}}}, "hand", {});
+  // A hand turns the right half about the crease. At 180 degrees the left half is in its way.
+  const auto turn = [&simulation](double angle) {
+    const Eigen::Quaterniond rotation(Eigen::AngleAxisd(-angle, Vector3::UnitY()));
+    const Vector3 center(kSide / 2, 0, 0);
+    simulation.carry("hand", {center - rotation * center, rotation});
+    return simulation.step();
+  };
+  for (double degrees = 10; degrees < 175; degrees += 10) {
+    EXPECT_TRUE(turn(degrees * kDegree).converged) << degrees;
+  }
+  const Positions before = simulation.positions();
+  const StepReport report = turn(190 * kDegree);
+  EXPECT_FALSE(report.converged);
+  EXPECT_NE(report.failure.find("of the flat sheet"), std::string::npos) << report.failure;
+  EXPECT_EQ(simulation.positions(), before);
+  // The way back is open.
+  EXPECT_TRUE(turn(160 * kDegree).converged);
+  expectWhole(simulation);
+}
+
+TEST(StepsThatHold, ASheetPulledApartStretchesWithoutBound) {
+  // Paper does not tear here, however far its two ends are carried apart.
   Simulation simulation = square({});
   simulation.pin(Region{{{0.14, 0}, {kSide, 0}, {kSide, kSide}, {0.14, kSide}}}, "hand", {});
   simulation.pin(Region{{{0, 0}, {0.01, 0}, {0.01, kSide}, {0, kSide}}});
   simulation.carry("hand", Pose{Vector3(1000, 0, 0)});
-  const Positions before = simulation.positions();
-  const StepReport report = simulation.step();
+  EXPECT_TRUE(simulation.step().converged);
   expectWhole(simulation);
-  if (!report.converged) {
-    EXPECT_EQ(simulation.positions(), before);
-    EXPECT_NE(report.failure.find("of the flat sheet"), std::string::npos) << report.failure;
-  }
   EXPECT_TRUE(run(simulation, 0.1));
+  expectWhole(simulation);
 }
 
 TEST(StepsThatHold, SettlesAtOnceWhereTimeWouldTakeIt) {
@@ -131,8 +161,11 @@ TEST(StepsThatHold, SettlesAtOnceWhereTimeWouldTakeIt) {
   ASSERT_TRUE(report.converged) << report.failure;
   EXPECT_EQ(at_once.time(), time);
   EXPECT_TRUE(at_once.settled());
-  run(in_time, 10);
-  EXPECT_LT((at_once.positions() - in_time.positions()).colwise().norm().maxCoeff(), 1e-3 * kSide);
+  EXPECT_TRUE(run(in_time, 10));
+  EXPECT_TRUE(in_time.settled());
+  // In time it stops where a time step would move no vertex by the tolerance, 1e-4 m/s.
+  const double left = in_time.config().solver.tolerance * in_time.config().solver.time_step;
+  EXPECT_LT((at_once.positions() - in_time.positions()).colwise().norm().maxCoeff(), left);
 }
 
 /// A strip is bent double between its two ends, pressed together, and let go.
@@ -153,7 +186,7 @@ double openingAfterPressing(double yield_curvature) {
     EXPECT_TRUE(strip.step().converged);
   }
   strip.unpin(std::vector<std::int64_t>(hand.begin(), hand.end()));
-  run(strip, 3);
+  EXPECT_TRUE(run(strip, 3));
   // The direction of the free end against the held one.
   const Vector3 tip = strip.positions().col(strip.sheet().nearestVertex({0.12, 0.01})),
                 inner = strip.positions().col(strip.sheet().nearestVertex({0.11, 0.01}));
@@ -161,10 +194,11 @@ double openingAfterPressing(double yield_curvature) {
 }
 
 TEST(InelasticPaper, PressedTogetherAndLetGoItKeepsABend) {
-  EXPECT_LT(openingAfterPressing(0), 3);
-  const double kept = openingAfterPressing(30);
-  EXPECT_GT(kept, 40);
-  EXPECT_LT(kept, 180);
+  // Elastic paper is flat again, but for what it still swings after three seconds.
+  EXPECT_LT(openingAfterPressing(0), 0.1);
+  // Inelastic paper springs back by its yield curvature, along the 32 mm that were bent beyond it:
+  // 180 degrees - 30/m * 0.032 m = 125 degrees.
+  EXPECT_NEAR(openingAfterPressing(30), 125, 5);
 }
 
 }  // namespace
