@@ -1,6 +1,6 @@
 /// \file
-/// What speed costs in accuracy: the dog's crease angles against those of a run with a tenth of the
-/// time step and a thousandth of the tolerance.
+/// Accuracy: the dog's crease angles compared with those of a run with a tenth of the time step and
+/// a thousandth of the tolerance.
 #include "bench/scenes.h"
 
 #include <benchmark/benchmark.h>
@@ -18,7 +18,7 @@ constexpr int kFiner = 10;           // steps of the reference in one of the oth
 constexpr double kTolerance = 1e-7;  // of the reference [m/s]
 constexpr int kSampled = 6;          // every so many steps, a tenth of a second
 
-/// The largest difference of a crease's angle.
+/// Returns the largest difference of a crease's angle.
 struct Difference {
   double degrees = 0;
   std::string crease;
@@ -35,8 +35,8 @@ struct Difference {
   }
 };
 
-/// The dog, with folds that end between two steps: whether one that ends upon a step has ended
-/// there is rounding, and the next would begin a whole step sooner or later.
+/// Returns the dog with folds that end between two steps. Rounding would decide whether a fold that
+/// ends at a step is over there, and the next would start one step earlier or later.
 Recipe dogBetweenSteps(double triangles) {
   Recipe recipe = dog(triangles);
   for (RecipeStep& step : recipe.steps) {

@@ -18,7 +18,7 @@ extern "C" void __sanitizer_malloc_hook(const volatile void*, std::size_t) { ++c
 
 #else
 
-// Defined in the program, these take the place of glibc's in every library; free() needs no other.
+// Defined in the program, these replace glibc's functions in every library; free() stays glibc's.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -58,7 +58,7 @@ int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
 namespace shell_origami {
 namespace {
 
-/// SuiteSparse asks for memory through pointers of its own, which tells CHOLMOD's requests apart.
+/// SuiteSparse allocates through its own function pointers, which count CHOLMOD's calls apart.
 const bool installed = [] {
   SuiteSparseMemory memory = suiteSparseMemory();
   memory.allocate = [](std::size_t size) {

@@ -1,5 +1,5 @@
 /// \file
-/// How often the heap was asked for memory: linked with this, a program counts.
+/// Counts the allocations of the program that this is linked with.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 /// \file
-/// What an edit costs, on the flat sheet and on folded paper.
+/// Cost of an edit, of the flat sheet and of folded paper.
 #include <shell_origami/mesh/triangulate.h>
 #include <shell_origami/sheet/fold_line.h>
 #include "bench/scenes.h"
@@ -29,7 +29,7 @@ void edit(benchmark::State& state) {
 }
 BENCHMARK(edit)->Arg(300)->Arg(2000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
-/// An edit on the folded paper of a running simulation, with all that follows from it.
+/// An edit of folded paper in a simulation, whose state follows the remap.
 void editInSimulation(benchmark::State& state) {
   const Recipe recipe = firstFold(static_cast<double>(state.range(0)));
   Simulation folded = makeSimulation(recipe.sheet, recipe.config);

@@ -1,5 +1,5 @@
 /// \file
-/// What the implicit scheme is worth: the explicit one on the same paper, at its longest step.
+/// The explicit scheme on the same paper, at its largest stable step.
 #include "bench/run.h"
 #include "bench/scenes.h"
 
@@ -11,17 +11,17 @@
 namespace shell_origami {
 namespace {
 
-/// How much of the fold a step has to hold for.
+/// Simulated time for which a step must be stable.
 constexpr double kWatched = 0.02;  // [s]
-/// Where the search for the longest step begins, too long for any paper, and its pace. It comes
-/// from above, where runs are short: they end as soon as the paper comes apart.
+/// Start of the search for the largest step, too large for any paper, and its ratio. The search
+/// goes downwards, because unstable runs are short: they end as soon as the paper comes apart.
 constexpr double kLongest = 2e-5;  // [s]
 constexpr double kPace = 1.05;
-/// Paper that is stretched more than this has come apart.
+/// Strain from which on the paper has come apart.
 constexpr double kStretched = 0.01;
 
-/// Wall time per simulated time of symplectic Euler over the first fold's beginning; nothing where
-/// a step of dt [s] is too long.
+/// Returns wall time over simulated time of symplectic Euler at the start of the first fold;
+/// nothing if a step of dt [s] is unstable.
 std::optional<double> explicitCost(double triangles, double dt) {
   Recipe recipe = firstFold(triangles);
   recipe.config.solver.integrator = IntegratorKind::kSymplecticEuler;

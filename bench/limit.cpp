@@ -16,13 +16,13 @@ namespace {
 
 constexpr int kRepetitions = 15;
 
-/// How CHOLMOD is called, supernodal in any case.
+/// Options of CHOLMOD, which is always supernodal here.
 struct Setting {
   const char* name;
   int vertex_order;  ///< of the graph of vertices, before the matrix is made; natural: none
   int order;         ///< of the matrix, permuted at each factorization; natural: none
-  /// By how much wider supernodes may grow by merging, zeros or not, than CHOLMOD lets them: the
-  /// dense blocks of thin paper are small, and the BLAS is slow on them.
+  /// Factor by which supernodes may grow wider by merging than with CHOLMOD's defaults: the dense
+  /// blocks of a sheet are small, and the BLAS is slow for small blocks.
   int wider;
 };
 
@@ -62,7 +62,7 @@ cholmod_sparse view(int size, const std::vector<int>& starts, const std::vector<
   return a;
 }
 
-/// The block row of every vertex when they are eliminated in this order.
+/// Returns the block row of every vertex for this elimination order.
 std::vector<int> rowsOf(const std::vector<int>& order) {
   std::vector<int> rows(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) rows[order[i]] = static_cast<int>(i);
@@ -75,7 +75,7 @@ std::vector<int> natural(int count) {
   return rows;
 }
 
-/// The block row of every vertex in CHOLMOD's order of the graph of vertices.
+/// Returns the block row of every vertex in CHOLMOD's order of the graph of vertices.
 std::vector<int> rowsBy(int vertex_order, const VertexGraph& graph) {
   std::vector<int> order = natural(graph.size());
   if (vertex_order == CHOLMOD_NATURAL) return order;
@@ -90,14 +90,14 @@ std::vector<int> rowsBy(int vertex_order, const VertexGraph& graph) {
   return rowsOf(order);
 }
 
-/// The vertices of the shell, all of them unknowns.
+/// Returns the graph of the shell's vertices, all of which are unknowns.
 VertexGraph graphOf(const Shell& shell) {
   VertexGraph graph(shell.vertexCount());
   graph.add({&shell.stencils()}, natural(shell.vertexCount()));
   return graph;
 }
 
-/// The matrix of a step from where the paper is.
+/// Returns the matrix of a step from the present positions.
 BlockMatrix stepMatrix(const Simulation& simulation, const std::vector<int>& rows) {
   const ShellPotential& potential = simulation.shell();
   const Shell& shell = potential.shell();
@@ -120,7 +120,7 @@ BlockMatrix stepMatrix(const Simulation& simulation, const std::vector<int>& row
   return matrix;
 }
 
-/// Medians of repeated calls; `numeric` says whether it succeeded.
+/// Returns medians of repeated calls; `numeric` returns whether it succeeded.
 template <class Numeric, class Solve>
 FactorTimes timed(Numeric&& numeric, Solve&& solve) {
   std::vector<double> numeric_times(kRepetitions), solve_times(kRepetitions);
@@ -156,7 +156,7 @@ FactorTimes measure(const Setting& setting, const BlockMatrix& matrix) {
   return times;
 }
 
-/// Multiplications and additions of a factorization in the matrix's own order.
+/// Returns the multiplications and additions of a factorization in the matrix's own order.
 double flopsOf(const BlockMatrix& matrix) {
   Common common;
   common.method[0].ordering = CHOLMOD_NATURAL;

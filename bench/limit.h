@@ -1,5 +1,5 @@
 /// \file
-/// The least that an implicit step can cost: one factorization of its matrix, and one solve.
+/// A lower bound on the cost of an implicit step: one factorization of its matrix and one solve.
 #pragma once
 
 #include <shell_origami/origami/simulation.h>
@@ -21,7 +21,7 @@ struct Limit {
   double allocations = 0;  ///< from the heap, in a factorization and a solve by Cholesky
 };
 
-/// Of the matrix of a Newmark step with the default beta, where the paper is now. Medians.
+/// Measures the matrix of a Newmark step with the default beta at the present positions; medians.
 Limit measureLimit(const Simulation& simulation);
 
 }  // namespace shell_origami

@@ -1,5 +1,5 @@
 /// \file
-/// What the machine can do: the rates that bound a factorization.
+/// The rates of the machine that bound a factorization.
 #include <benchmark/benchmark.h>
 #include <dlfcn.h>
 
@@ -13,8 +13,8 @@ extern "C" void dgemm_(const char* transpose_a, const char* transpose_b, const i
 
 namespace {
 
-/// What OpenBLAS takes the processor for, by itself or because OPENBLAS_CORETYPE says so: it
-/// decides on the speed of a factorization. Another BLAS does not tell.
+/// Returns the kernels that OpenBLAS uses, by itself or because of OPENBLAS_CORETYPE: they
+/// determine the speed of a factorization. "unknown" with another BLAS.
 std::string blasKernels() {
   const auto name =
       reinterpret_cast<const char* (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));

@@ -14,7 +14,7 @@
 namespace shell_origami {
 namespace {
 
-/// Gives freed memory back to the system and has it measure the peak anew.
+/// Returns freed memory to the system and resets its measurement of the peak.
 void forgetPeakMemory() {
   malloc_trim(0);
   std::ofstream("/proc/self/clear_refs") << 5;

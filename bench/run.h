@@ -1,5 +1,5 @@
 /// \file
-/// A scene folded from beginning to end, and what that cost.
+/// A scene folded from beginning to end, and its cost.
 #pragma once
 
 #include <shell_origami/origami/recipe.h>
@@ -13,22 +13,22 @@ namespace shell_origami {
 
 double median(std::vector<double> values);
 
-/// The most memory that the process has had resident since the last Run was made [MB].
+/// Returns the peak of resident memory since the last Run was constructed [MB].
 double peakMemory();
 
 class Run {
  public:
   explicit Run(Recipe recipe);
 
-  /// One time step, and the edits due before it. False once the recipe is done.
-  /// \throws std::runtime_error when the step does not hold.
+  /// Takes one time step after the edits due before it. Returns false once the recipe is done.
+  /// Throws std::runtime_error if the step does not converge.
   bool step();
 
   const Simulation& simulation() const { return simulation_; }
   double medianStep() const { return median(step_times_); }  ///< wall time [s]
   double meanStep() const;                                   ///< wall time [s]
 
-  /// Writes what the run cost so far into the benchmark's counters.
+  /// Writes the cost of the run so far into the benchmark's counters.
   void report(benchmark::State& state) const;
 
  private:

@@ -13,7 +13,7 @@ constexpr double kSide = 0.15;  // [m]
 SheetSource square(double triangles) {
   SheetSource source;
   source.width = source.height = kSide;
-  // Equilateral triangles of this edge would be a fifth fewer: most edges are shorter.
+  // Equilateral triangles with this edge would be a fifth fewer, because most edges are shorter.
   source.max_edge = 1.1 * kSide * std::sqrt(4 / std::sqrt(3.0) / triangles);
   return source;
 }

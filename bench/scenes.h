@@ -1,5 +1,5 @@
 /// \file
-/// Named scenes: recipes, at any fineness of the sheet.
+/// Named scenes: recipes with a sheet of any fineness.
 #pragma once
 
 #include <shell_origami/origami/recipe.h>

@@ -1,6 +1,6 @@
 /// \file
-/// What whole scenes cost per step, and the dog's first fold against what its linear algebra alone
-/// would take.
+/// Cost of a step in whole scenes, and the dog's first fold compared with the cost of its linear
+/// algebra alone.
 #include "bench/limit.h"
 #include "bench/run.h"
 #include "bench/scenes.h"
@@ -21,7 +21,7 @@ void fold(benchmark::State& state, Recipe recipe) {
   }
 }
 
-/// Halfway the limit is measured: of the matrix at hand, in the same process, at the same time.
+/// The limit is measured halfway: for the present matrix, in the same process and at the same time.
 void foldBack(benchmark::State& state) {
   for (auto _ : state) {
     Run run(firstFold(static_cast<double>(state.range(0))));
@@ -51,7 +51,7 @@ void once(benchmark::internal::Benchmark* benchmark) {
   benchmark->Iterations(1)->Unit(benchmark::kMillisecond);
 }
 
-// By name here, for Benchmark::Name() is too young for Debian 11.
+// By name, because Debian 11 does not have Benchmark::Name().
 [[maybe_unused]] const benchmark::internal::Benchmark* const registered[] = {
     benchmark::RegisterBenchmark("first_fold", foldBack)
         ->Arg(300)

@@ -1,5 +1,5 @@
 /// \file
-/// A wide sheet clamped along one side, the plate that a cantilever stands for.
+/// A wide sheet clamped along one side: a plate that behaves as the cantilever of beam theory.
 #pragma once
 
 #include <shell_origami/origami/simulation.h>
@@ -8,15 +8,15 @@ namespace shell_origami {
 
 /// A sheet clamped by two rows of held vertices.
 ///
-/// It is wider than long, so that its rows of triangles run across it. A row's hinges stand for the
-/// paper half a row to either side of it, so that the clamp lies half way between the two held
-/// rows, and the length counts from there: counted from the second row it would come short by half
-/// a row, an error of first order in the mesh.
+/// It is wider than long, so that its rows of triangles run across it. The hinges of a row
+/// represent the paper half a row to either side. The clamp is therefore half way between the two
+/// held rows, and the length is measured from there: from the second row it would be half a row too
+/// short, an error of first order in the mesh.
 ///
 /// Why wide: hinges of an equilateral mesh store, for curvatures k1 and k2, the energy
-/// B/2 (k1^2 + k2^2 - 2/3 k1 k2) per area, that of a plate with Poisson ratio -1/3. A narrow strip
-/// would curl across by k1/3 and be softer by a ninth. The clamp, the breadth and, where it bends
-/// far, stretching keep a wide one from doing so.
+/// B/2 (k1^2 + k2^2 - 2/3 k1 k2) per area, as a plate with Poisson's ratio -1/3. A narrow strip
+/// would curl across by k1/3 and be softer by a ninth. The clamp, the breadth and, at large
+/// deflections, stretching keep a wide sheet from doing so.
 struct ClampedSheet {
   Sheet sheet;
   double clamp;                    ///< x of the clamp [m]
@@ -25,14 +25,15 @@ struct ClampedSheet {
   std::vector<int> tip;            ///< vertices of the free side
 };
 
-/// About `length` long and `aspect` times as wide, in `rows` rows of triangles.
+/// Returns a sheet about `length` [m] long and `aspect` times as wide, with `rows` rows of
+/// triangles.
 ClampedSheet clampedSheet(double length, double aspect, int rows);
 
-/// Copy paper with Poisson ratio 0, so that a strip's stiffness is the plate's.
+/// Returns copy paper with Poisson's ratio 0, so that a strip is as stiff as a plate.
 Material strip();
 
-/// First natural frequency [1/s] of a cantilever of small amplitude: (1.8751^2 / 2 pi) =
-/// .55959 times sqrt(B / (rho t L^4)) (Euler-Bernoulli).
+/// Returns the first natural frequency [1/s] of a cantilever: .55959 sqrt(B / (rho t L^4)), where
+/// .55959 = 1.8751^2 / 2 pi (Euler-Bernoulli).
 double firstFrequency(const Material& material, double length);
 
 }  // namespace shell_origami

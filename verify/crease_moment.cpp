@@ -14,11 +14,11 @@ namespace {
 constexpr double kSide = 0.1, kFold = 0.05;  // sheet, and where its crease lies across [m]
 const std::string kItem = "6 Crease opened by a moment";
 const std::string kWhy =
-    "both sides are measured where the flap rests, the closed form at the angle of each hinge; "
-    "what "
-    "is left is how far the flap still swings";
+    "both sides are measured where the flap rests, the closed form at the angle of each hinge. The "
+    "flap still swings: Newton's method stops at 1e-9 m/s, which is 2e-11 m in a step, 5e-9 of the "
+    "deflection at 5 degrees";
 
-/// Board that hardly bends, with a paper's crease: only the crease gives way.
+/// Board that hardly bends with the crease of paper, so that only the crease deforms.
 SimulationConfig board() {
   SimulationConfig config;
   config.material.thickness = 2e-3;
@@ -32,21 +32,21 @@ double closedForm(double theta) {
   return Material().crease_stiffness * 2 * tangent * (1 + tangent * tangent);
 }
 
-/// A flap that its weight holds open. Moments are per length of the crease [N].
+/// A flap that is held open by its weight. Moments are per length of the crease [N].
 struct Flap {
   double angle;      ///< of the crease, mean [rad]
   double weight;     ///< moment of the weight about the crease
-  double by_angles;  ///< mean of the closed form over the crease, at the angles it has
+  double by_angles;  ///< mean of the closed form over the crease, at the angles of its hinges
 };
 
-/// Gravity stands at right angles to the flap at `theta`, where it balances the crease: the moment
-/// of a flat flap's weight is rho t g l^2 / 2 per length.
+/// Gravity is perpendicular to the flap at `theta`, where it balances the crease: the moment of a
+/// flat flap's weight is rho t g l^2 / 2 per length.
 Flap hangFlap(double theta, double max_edge) {
   SimulationConfig config = board();
   constexpr double kFlap = kSide - kFold;
   const double gravity = closedForm(theta) / (config.material.arealDensity() * kFlap * kFlap / 2);
   config.gravity = gravity * Vector3(-std::sin(theta), 0, std::cos(theta));
-  // Critical for a flap's moment of inertia rho t l^3 / 3 on the crease's stiffness there.
+  // Critical damping of a moment of inertia rho t l^3 / 3 on the crease's stiffness there.
   const double stiffness = closedForm(theta) / std::tan(theta / 2);
   const double frequency =
       std::sqrt(stiffness / (config.material.arealDensity() * std::pow(kFlap, 3) / 3));  // [rad/s]
@@ -54,7 +54,7 @@ Flap hangFlap(double theta, double max_edge) {
   config.solver.time_step = 0.2 / frequency;
   Sheet sheet(triangulateRectangle(kSide, kSide, max_edge));
   makeFoldLine(sheet, {Vector2(kFold, 0), Vector2(kFold, kSide)});
-  // It starts folded by nine tenths of the angle, from where gravity takes it the right way.
+  // It starts folded by nine tenths of the angle, from where gravity turns it the right way.
   Positions x = flatInSpace(sheet);
   std::vector<std::int64_t> held;
   for (int v = 0; v < sheet.vertexCount(); ++v) {
@@ -81,8 +81,8 @@ Flap hangFlap(double theta, double max_edge) {
   return flap;
 }
 
-/// Writes moment over stiffness of creases that rest at several angles, for doc/figures.py: as
-/// creaseBend() has it, and as plain phi would.
+/// Writes moment over stiffness of creases with several rest angles, for doc/figures.py: by
+/// creaseBend(), and by phi alone.
 void drawCreaseLaw(const VerificationReport& report) {
   FigureData figure = report.figure("crease_law", {"rest", "angle", "moment", "plain_moment"});
   for (const double rest : {0.0, 90.0, 170.0}) {
@@ -109,7 +109,7 @@ void verifyCreaseMoment(VerificationReport& report) {
     figure.row({flap.angle * 180 / M_PI, flap.weight});
     report.add({kItem,
                 "M / closed form at " + std::to_string(static_cast<int>(degrees)) + " degrees", 1,
-                flap.weight / flap.by_angles, 1e-6, kWhy});
+                flap.weight / flap.by_angles, 5e-9, kWhy});
   }
 }
 

@@ -1,6 +1,6 @@
 /// \file
-/// Item 1: the closed-form derivatives against automatic differentiation of energies that are
-/// written down anew, from their definitions.
+/// Item 1: the closed-form derivatives against automatic differentiation of the energies'
+/// definitions, which are written down here once more.
 #pragma once
 
 #include <shell_origami/energy/dihedral.h>
@@ -17,8 +17,14 @@ struct DerivativeError {
   double largest() const;
 };
 
-/// A hinge's flat shape: its edge from (0, 0) to (length, 0), and where its wings' apexes stand
-/// over and under it [m].
+/// Bounds on the differences. Fold angles: the rounding error 1.1e-16 of some 40 operations on
+/// triangles of aspect 100. Energies of hinges and creases: that of one operation, times the
+/// aspect, times theta / sin(theta) = 180 for a hinge one degree from 180, twice for each of two
+/// derivatives. Membranes: 200 operations.
+constexpr double kFoldAngleRounding = 4e-13, kHingeRounding = 8e-12, kMembraneRounding = 2e-14;
+
+/// A hinge's flat shape: its edge from (0, 0) to (length, 0), and the apexes of its triangles above
+/// and below it [m].
 struct HingeShape {
   double length, foot2, height2, foot3, height3;
 
@@ -32,9 +38,10 @@ const std::vector<HingeShape>& hingeShapes();
 std::vector<double> hingeAngles();
 
 DerivativeError foldAngleError(const HingePoints& points);
-/// Of the whole energy of an ordinary hinge or a crease, through Shell.
+/// For the energy of an ordinary hinge or of a crease, through Shell.
 DerivativeError hingeEnergyError(const HingeShape& shape, double theta, double rest, bool crease);
-/// Stretched by `stretch` along and sheared, in space; `kind` chooses the model.
+/// For the membrane of this kind in a triangle that is stretched by `stretch` and sheared, in
+/// space.
 DerivativeError membraneError(MembraneKind kind, double stretch);
 
 }  // namespace shell_origami

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Draws the figures of a verification and writes its page:
+"""Draws the figures of the verification and writes its page:
    verify/document.py RESULTS_DIR doc/verification.md
-RESULTS_DIR is what origami_verify wrote; pictures go beside the page, into doc/verification/."""
+RESULTS_DIR was written by origami_verify; pictures are put beside the page, in doc/verification/."""
 import csv
 import os
 import sys
@@ -10,9 +10,9 @@ import figures
 
 HEAD = """# Verification
 
-What has a closed form, measured: written by `scripts/verify`, which builds `origami_verify`
-([verify/](../verify/)), runs it and draws its figures. A row holds when measured is within the
-tolerance of expected; {count} of {total} do.
+The simulation compared with closed forms. This page is written by `scripts/verify`, which builds
+`origami_verify` ([verify/](../verify/)), runs it and draws its figures. A row holds if the measured
+value is within the tolerance of the expected one; {count} of {total} do.
 """
 
 
@@ -22,7 +22,7 @@ def rows_of(path):
 
 
 def number(text):
-    """Five digits, and none for what is exact."""
+    """At most five digits."""
     return '%.5g' % float(text)
 
 
@@ -31,7 +31,7 @@ def cell(text):
 
 
 def reasons(rows):
-    """Why the tolerances are what they are, each once."""
+    """The different reasons for tolerances, in order."""
     return list(dict.fromkeys(row['why'] for row in rows))
 
 
@@ -46,7 +46,7 @@ def table(rows):
             '%.2g' % float(row['tolerance']), 'abcdef'[reasons(rows).index(row['why'])])
 
 
-# Of each item: the data of a table, its heading, and what it says.
+# For some items: the data of a second table, its heading, and a text.
 COMPARISONS = {
     '12 Integrators on one fold': (
         'integrators',
@@ -58,14 +58,14 @@ COMPARISONS = {
         'step must not be longer.'),
     '13 Membranes': (
         'membranes', ['membrane'] + ['%d degrees' % a for a in range(0, 180, 30)],
-        'Energy of a stretch over E t / 2 e^2 A in six directions. The terms of edges and areas have '
-        'no say on Poisson\'s ratio below 1/3, and on a mesh that is not equilateral they prefer '
-        'directions: St. Venant-Kirchhoff is the default.'),
+        'Energy of a stretch over E t / 2 e^2 A in six directions. The terms of edges and areas '
+        'cannot represent a Poisson\'s ratio below 1/3, and on a mesh that is not equilateral their '
+        'stiffness depends on the direction. St. Venant-Kirchhoff is the default.'),
     '14 The height term of creases': (
         'crease_laws', ['mesh', 'without', 'with'],
         'Energy of a crease folded by 1 rad between stiff flaps, over c / 2 phi^2 L. With the height '
-        'of its triangles in it a crease is as stiff as its mesh happens to be; without, which is '
-        'what Discrete Shells Origami proposes, it is as stiff as asked. That is the default.'),
+        'of its triangles in the energy the stiffness of a crease depends on the mesh. Without, as '
+        'Discrete Shells Origami proposes, it is the stiffness that was asked for: the default.'),
 }
 
 

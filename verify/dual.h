@@ -1,5 +1,5 @@
 /// \file
-/// Numbers that carry their derivatives: forward-mode automatic differentiation to second order.
+/// Forward-mode automatic differentiation to second order.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace shell_origami {
 
-/// A value with its gradient and Hessian by N variables. Knows nothing but the chain rule.
+/// A value with its gradient and Hessian by N variables.
 template <int N>
 struct Dual {
   using Gradient = Eigen::Matrix<double, N, 1>;
@@ -26,7 +26,7 @@ struct Dual {
     return x;
   }
 
-  /// f(this), given f and its two derivatives there.
+  /// Returns a function of this, given its value and its two derivatives here.
   Dual chain(double f, double first, double second) const {
     Dual y(f);
     y.gradient = first * gradient;

@@ -1,5 +1,5 @@
 /// \file
-/// Sheets with creases, and how to fold them slowly: scenes of rigid folding.
+/// Scenes of rigid folding: sheets with creases that are folded slowly.
 #pragma once
 
 #include <shell_origami/origami/simulation.h>
@@ -12,24 +12,24 @@ namespace shell_origami {
 
 constexpr double kDegree = M_PI / 180;
 
-/// A disc whose creases run from its center to its border, at these angles and each with the sign
-/// of its assignment. They are called rho0, rho1, ...; the center is vertex 0.
+/// Returns a disc whose creases rho0, rho1, ... run from its center, vertex 0, to its border in
+/// these directions [rad], each with the sign of its assignment.
 Sheet vertexSheet(const std::vector<double>& directions, const std::vector<double>& signs,
                   double radius, double max_edge);
 
-/// Slow enough to be quasi-static: Newton's velocities below a hundredth of what is seen.
+/// Returns a configuration for quasi-static folding, with a Newton tolerance of 1e-5 m/s.
 SimulationConfig quasiStatic();
 
 FoldEdit foldCrease(const std::string& name, double angle, double duration);
 
-/// A recipe's sheet, coarse and flat, with nothing done to it yet.
+/// Returns a recipe's sheet, coarse and flat, before its first step.
 Simulation fromRecipe(const std::string& name);
 
-/// \throws std::runtime_error when a step does not converge.
+/// Steps to this time [s]. Throws std::runtime_error if a step does not converge.
 void stepUntil(Simulation& simulation, double time);
 
-/// Folds creases by name, each by its sign times `angle` [rad], and rests. \throws
-/// std::runtime_error
+/// Folds creases by name, each by its sign times `angle` [rad], within 1.5 s and then waits for 2
+/// s. Throws std::runtime_error if a step does not converge.
 void foldAndRest(Simulation& simulation, const std::vector<std::pair<std::string, double>>& creases,
                  double angle);
 

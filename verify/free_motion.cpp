@@ -5,7 +5,7 @@
 namespace shell_origami {
 namespace {
 
-/// Rest angles and held vertices stay as they are.
+/// Neither rest angles nor held vertices change.
 class Unchanged : public BoundaryConditions {
  public:
   void applyAt(double, Positions&) override {}

@@ -1,5 +1,5 @@
 /// \file
-/// Paper that nothing drives: the integrator alone, from any start.
+/// Paper without loads or folds, to test the integrator alone from any initial state.
 #pragma once
 
 #include <shell_origami/dynamics/stepper.h>
@@ -9,20 +9,20 @@
 
 namespace shell_origami {
 
-/// So thick and soft that time steps follow its stretching as well as its bending, as they would
-/// have to in paper of which every wave is to be kept.
+/// Returns a material so thick and soft that time steps resolve stretching waves as well as bending
+/// waves.
 Material softBoard();
 
-/// Uncreased paper without gravity or air. It starts with the accelerations that its forces give
-/// it: with others a scheme of second order starts with an error of first order.
+/// Uncreased paper without gravity or air. Its initial accelerations are consistent with its
+/// forces; otherwise a scheme of second order would start with an error of first order.
 class FreeMotion {
  public:
-  /// `held` vertices stay where they are.
+  /// `held` vertices do not move.
   FreeMotion(const Sheet& sheet, const Material& material, const SolverConfig& solver,
              const Positions& positions, const Positions& velocities,
              const std::vector<std::int64_t>& held = {});
 
-  /// \throws std::runtime_error when the step had to be cut, and so was not one of the scheme.
+  /// Throws std::runtime_error if the step was retried with backward Euler.
   void step();
 
   const Motion& motion() const { return motion_; }

@@ -1,7 +1,7 @@
 /// \file
-/// origami_verify OUT_DIR [--fast]: measures what has a closed form, prints a table and writes it
-/// to OUT_DIR/results.csv, beside one CSV file for each figure. --fast: coarser meshes, fewer
-/// samples. Exits with 1 when a row is outside its tolerance, with 2 when it cannot run.
+/// origami_verify OUT_DIR [--fast]: compares the simulation with closed forms, prints a table and
+/// writes it to OUT_DIR/results.csv, beside one CSV file for each figure. --fast: coarser meshes,
+/// fewer samples. Exit code 1: a row is outside its tolerance; 2: it cannot run.
 #include "verify/topics.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 /// \file
-/// What the verification hands back: a table of expected and measured values, and data for figures.
+/// Results of the verification: a table of expected and measured values, and data for figures.
 #pragma once
 
 #include <fstream>
@@ -11,10 +11,10 @@ namespace shell_origami {
 
 /// One line of the table. It holds when |measured - expected| <= tolerance.
 struct VerifiedRow {
-  std::string item;      ///< which closed form
+  std::string item;      ///< number and name of the closed form
   std::string quantity;  ///< with its unit
   double expected, measured, tolerance;
-  std::string why;  ///< where the tolerance comes from
+  std::string why;  ///< reason for the tolerance
 
   bool holds() const;
 };

@@ -1,6 +1,5 @@
 /// \file
-/// One function for each closed form. Each adds its rows to the report and writes its figures'
-/// data.
+/// One function for each closed form, which adds rows to the report and writes the data of figures.
 #pragma once
 
 #include "verify/report.h"

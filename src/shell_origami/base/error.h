@@ -1,5 +1,5 @@
 /// \file
-/// How the core refuses what makes no sense: one sentence that names the offending value.
+/// Errors of the core: invalid input is rejected with a message that names the offending value.
 #pragma once
 
 #include <sstream>

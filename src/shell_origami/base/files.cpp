@@ -97,7 +97,7 @@ class OldFile {
     if (!fs::is_regular_file(status)) failToWrite(target_, "it is not a regular file");
     kept_ = target_ + "." + std::to_string(getpid()) + ".old";
     std::remove(kept_.c_str());
-    // Where the file system has no hard links the older file is out of its place for a moment.
+    // On a file system without hard links the older file is moved away for a moment.
     if (link(target_.c_str(), kept_.c_str()) == 0) return;
     if (std::rename(target_.c_str(), kept_.c_str()) != 0) {
       kept_.clear();

@@ -1,5 +1,5 @@
 /// \file
-/// How much memory there is.
+/// Available memory.
 #pragma once
 
 namespace shell_origami {

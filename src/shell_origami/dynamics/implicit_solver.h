@@ -1,5 +1,5 @@
 /// \file
-/// What the implicit schemes share: finding where a step ends.
+/// The nonlinear solve that the implicit schemes share.
 #pragma once
 
 #include <shell_origami/dynamics/integrator.h>

@@ -5,7 +5,7 @@
 namespace shell_origami {
 namespace {
 
-/// Which part of the accelerations `before` those `after` are, 0 to 1, masses weighed.
+/// Returns the part of the accelerations `before` that persists in `after`, 0 to 1, by mass.
 double keptPart(const Positions& before, const Positions& after, const Eigen::VectorXd& masses) {
   const double all = before.colwise().squaredNorm().dot(masses.transpose());
   const double kept = before.cwiseProduct(after).colwise().sum().dot(masses.transpose());
@@ -40,8 +40,8 @@ bool Newmark::step(const StepInput& input, double dt, Motion& motion, StepReport
   const double damping = input.air_damping;
   inertia_.stiffness = (1 + damping * gamma_ * dt) / (beta_ * dt * dt);
   inertia_.anchor = predicted_ - damping / inertia_.stiffness * velocity_;
-  // As if as much of the accelerations stayed as last time: all of them, while paper is folded
-  // smoothly; none, where it snaps, and what they would throw it to costs several factorizations.
+  // Assumes that accelerations persist as far as in the last step: completely while paper is folded
+  // smoothly, not at all where it snaps, where a wrong start would cost several factorizations.
   start_ = motion.positions + dt * motion.velocities +
            motion.acceleration_persistence * dt * dt / 2 * motion.accelerations;
   if (!solver_.solve(input, inertia_, start_, dt, motion.positions, x_, report)) return false;

@@ -1,5 +1,5 @@
 /// \file
-/// What an implicit step minimizes, and the one way from a configuration to another.
+/// The objective of an implicit step, through which every new configuration is reached.
 #pragma once
 
 #include <shell_origami/energy/potential.h>

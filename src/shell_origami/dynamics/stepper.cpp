@@ -6,10 +6,10 @@
 namespace shell_origami {
 namespace {
 
-/// A step is cut in two at most this often.
+/// Largest number of times that a step is divided in two.
 constexpr int kDeepest = 10;
-/// Viscous steps of a relaxation: how they grow, how long they have to be before standing still
-/// counts as equilibrium, and how short they may get, in time steps; and how many it takes at most.
+/// Viscous steps of a relaxation: factors of their length after success and failure; the length, in
+/// time steps, from which no motion means equilibrium, and its bounds; and their largest number.
 constexpr double kGrowth = 2, kShrink = 0.25;
 constexpr double kLongEnough = 64, kLongest = 1e3, kShortest = 1e-3;
 constexpr int kMostRounds = 200;
@@ -35,7 +35,7 @@ void Stepper::setFree(std::vector<bool> free) {
   solver_->setFree(free_);
 }
 
-/// Takes the part of the whole step between two fractions of it.
+/// Takes the part of the whole step between the fractions `from` and `to`.
 bool Stepper::take(Integrator& integrator, const Whole& whole, double from, double to,
                    Motion& motion, StepReport& report) {
   whole.conditions.applyAt(to, prescribed_);

@@ -1,5 +1,5 @@
 /// \file
-/// Steps that hold: a step that fails is taken in smaller ones, or not at all.
+/// Time steps: one that fails is divided into smaller ones, or undone.
 #pragma once
 
 #include <shell_origami/dynamics/implicit_solver.h>
@@ -9,12 +9,12 @@
 
 namespace shell_origami {
 
-/// What changes within a step while the paper follows.
+/// Loads and prescribed positions that change within a step.
 class BoundaryConditions {
  public:
   virtual ~BoundaryConditions() = default;
-  /// Puts the potentials (rest angles, say) and, in `prescribed`, the vertices that are not free
-  /// [m] where they are at fraction s in (0, 1] of the whole step.
+  /// Sets the potentials (such as rest angles) and, in `prescribed`, the positions [m] of vertices
+  /// that are not free, at the fraction s in (0, 1] of the whole step.
   virtual void applyAt(double s, Positions& prescribed) = 0;
   /// Whether nothing changes within the step, so that no work is done on the paper.
   virtual bool constant() const = 0;
@@ -24,25 +24,25 @@ class Stepper {
  public:
   explicit Stepper(const SolverConfig& config);
 
-  /// Says that the mesh, the potentials or the held vertices changed. `free[v]` is false for held
-  /// vertices.
+  /// To be called when the mesh, the potentials or the held vertices have changed. `free[v]` is
+  /// false for held vertices.
   void setFree(std::vector<bool> free);
 
-  /// What steps pass on to the next one, for a stepper that goes on where another stood.
+  /// The state that a step passes on to the next, with which another stepper can continue.
   const SolverState& state() const { return solver_->state(); }
   /// \pre setFree() was called
   void restoreState(const SolverState& state) { solver_->restoreState(state); }
 
-  /// Advances `motion` by one time step. `masses` [kg] are lumped, one a vertex; `air_damping`
-  /// [1/s] is mass-proportional. A step that fails is cut in two, again and again down to time_step
-  /// / 1024; if that fails too, `motion` is left as it was and the report says why.
+  /// Advances `motion` by one time step. `masses` [kg] are lumped, one for each vertex;
+  /// `air_damping` [1/s] is mass-proportional. A step that fails is divided in two down to
+  /// time_step / 1024; if that fails as well, `motion` is unchanged and the report says why.
   StepReport step(const Potentials& potentials, const Eigen::VectorXd& masses, double air_damping,
                   BoundaryConditions& conditions, Motion& motion);
 
-  /// Moves `motion` to equilibrium in rounds without inertia, each downhill as far as a viscous
-  /// step of growing length goes; held vertices stay and all speeds are zero afterwards. After
-  /// each round `adapt` may change the potentials. Where it finds no equilibrium, because the paper
-  /// falls, say, `motion` is left as it was and the report says so.
+  /// Moves `motion` to equilibrium by viscous steps of growing length, without inertia. Held
+  /// vertices do not move and all velocities are zero afterwards. After each viscous step `adapt`
+  /// may change the potentials. If there is no equilibrium, for example because the paper falls,
+  /// `motion` is unchanged and the report says so.
   StepReport relax(const Potentials& potentials, const Eigen::VectorXd& masses,
                    const std::function<void(const Positions&)>& adapt, Motion& motion);
 

@@ -28,7 +28,7 @@ struct Wing {
     const Vector3d n = normal();
     return edge().norm() / n.squaredNorm() * n;
   }
-  /// Where r projects onto the edge, 0 at p and 1 at q.
+  /// Returns the projection of r onto the edge: 0 at p, 1 at q.
   double foot() const { return edge().dot(r - p) / edge().squaredNorm(); }
 
   /// Derivatives of turn() with respect to p, q, r.

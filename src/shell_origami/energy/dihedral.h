@@ -51,8 +51,8 @@ struct Phi {
 };
 Phi phi(const FoldAngle& theta);
 
-/// How far a hinge is from rest, as its energy counts it, and its derivatives by theta. At rest
-/// the value is 0.
+/// Deviation of a hinge from rest, of whose square its energy is a multiple, and its derivatives by
+/// theta. Zero at rest.
 using Bend = Phi;
 
 /// A hinge of the sheet: phi(theta) - phi(rest) (Discrete Shells Origami, figure 11).

@@ -1,5 +1,5 @@
 /// \file
-/// What the paper is made of.
+/// Material parameters of the paper.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace shell_origami {
 
-/// How stretching and shearing cost energy.
+/// The energy of stretching and shearing.
 enum class MembraneKind {
   kStVenantKirchhoff,  ///< the paper's own E t and nu, in every direction
   kDiscreteShells      ///< edge-length and area terms (Grinspun et al. 2003, section 3)

@@ -11,7 +11,7 @@ namespace shell_origami {
 using TrianglePoints = std::array<Eigen::Vector3d, 3>;
 using MembraneGradient = Eigen::Matrix<double, 9, 1>;
 using MembraneHessian = Eigen::Matrix<double, 9, 9>;
-/// How far a triangle is from its flat shape, in the terms that its energy is a square of.
+/// The quantities of a deformed triangle of which its energy is a quadratic form; zero when flat.
 using MembraneStrain = Eigen::Vector4d;
 
 /// W = A t (lambda/2 tr(E)^2 + mu E:E) with the Green strain E = (F^T F - I) / 2 of the flat

@@ -10,28 +10,28 @@
 
 namespace shell_origami {
 
-/// Why the paper cannot take a configuration.
+/// The reason why a configuration is infeasible.
 struct Infeasibility {
   const char* what;
   int vertex;  ///< where; -1: everywhere
 };
 
 enum class HessianKind {
-  kConvex,  ///< positive semidefinite: what makes the energy concave is left out
+  kConvex,  ///< positive semidefinite: terms that make the energy concave are left out
   kExact    ///< exact, or so close to it that Newton's method converges as fast
 };
 
-/// An energy of the vertices' positions that dynamics/ minimizes in a sum of several: the shell,
-/// and whatever a program adds. Const: what it keeps of a configuration is in an Iterate, of which
-/// the solver owns as many as it compares. Virtual calls are one for each potential, not for each
+/// An energy of the vertices' positions. dynamics/ minimizes the sum of several: the shell's and
+/// those that a program adds. It is const: data of a configuration are in an Iterate, of which the
+/// solver owns as many as it compares. Calls are virtual for each potential, not for each
 /// element.
 ///
-/// It is a filter of steps, too: paper goes from one configuration to another only where every
-/// potential permits the way (maxFeasibleStep() for a step of Newton's method, findInfeasibility()
-/// for any other: the start of a step, held vertices, an edit).
+/// It is a step filter as well: a configuration is reached from another one only if every potential
+/// permits it (maxFeasibleStep() for a step of Newton's method, findInfeasibility() for any other:
+/// the start of a step, held vertices, an edit).
 class Potential {
  public:
-  /// What a potential keeps of one configuration: fold angles, say, or the pairs in contact.
+  /// Data of a potential that belong to one configuration, such as fold angles or pairs in contact.
   class Iterate {
    public:
     virtual ~Iterate() = default;
@@ -46,7 +46,7 @@ class Potential {
   /// Returns the energy [J] at x and fills `at`. Infinite, and `at` unspecified, where x is
   /// infeasible or cannot be reached from the configuration of `from`.
   virtual double value(const Positions& x, const Iterate& from, Iterate& at) const = 0;
-  /// Says why value() is infinite; nothing where it is finite.
+  /// Returns the reason if value() is infinite.
   virtual std::optional<Infeasibility> findInfeasibility(const Positions& x,
                                                          const Iterate& from) const = 0;
 
@@ -60,11 +60,11 @@ class Potential {
   /// Returns the largest part of `step` in (0, 1] that Newton's method may take from x.
   virtual double maxFeasibleStep(const Positions& x, const Iterate& at,
                                  const Positions& step) const = 0;
-  /// Stores in `at`, which is the iterate at x + displacement, what the displacement from x changed
-  /// to first order, where the Hessian is better for it (the membrane's stress).
+  /// Stores in `at`, the iterate at x + displacement, changes to first order from x that make the
+  /// Hessian better than the exact ones do (the membrane's stress).
   virtual void predict(const Positions& /*x*/, const Positions& /*displacement*/,
                        Iterate& /*at*/) const {}
-  /// Says where a whole step went further than one step may.
+  /// Returns a place at which a whole step went further than one step may.
   virtual std::optional<Infeasibility> findJump(const Iterate& /*from*/,
                                                 const Iterate& /*to*/) const {
     return std::nullopt;

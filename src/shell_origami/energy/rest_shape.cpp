@@ -10,7 +10,7 @@ namespace {
 /// Paper is not pressed shut: it rests short of 180 degrees.
 constexpr double kLastSet = 170 * M_PI / 180;
 
-/// Where a flat point is when the sheet is rolled up.
+/// Returns the position of a flat point on the rolled sheet.
 Vector3 rolledUp(const Vector2& flat, const NaturalCurvature& roll) {
   const Vector2 axis(std::cos(roll.axis), std::sin(roll.axis));
   const Vector2 around(axis.y(), -axis.x());

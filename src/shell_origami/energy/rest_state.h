@@ -1,5 +1,5 @@
 /// \file
-/// Where the hinges of a shell rest.
+/// Rest angles and stiffness of the hinges of a shell.
 #pragma once
 
 #include <shell_origami/energy/dihedral.h>

@@ -93,7 +93,7 @@ void addFaces(std::vector<std::vector<int>> faces, const std::vector<int>& stand
   pattern.faces = std::move(faces);
 }
 
-/// How many faces lie on each edge; sides of faces that are no edges become edges.
+/// Returns the number of faces at each edge; sides of faces that are not edges become edges.
 std::vector<int> countFaces(CreasePattern& pattern, EdgeCollector& edges) {
   std::vector<int> counts(pattern.edges.size());
   for (const std::vector<int>& face : pattern.faces) {

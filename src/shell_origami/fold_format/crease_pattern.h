@@ -13,7 +13,7 @@
 
 namespace shell_origami {
 
-/// How the flat pattern lies in the space of its file.
+/// The plane of the flat pattern in the space of its file.
 struct PatternPlane {
   Vector3 origin = Vector3::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< rows: x, y and up of the flat sheet
@@ -40,7 +40,7 @@ struct PatternCrease {
   double angle;  ///< what the pattern asks of it [rad]; NaN: nothing
 };
 
-/// What a FOLD file says of its flat sheet. Vertices are numbered as in the file until
+/// The flat sheet of a FOLD file. Vertices are numbered as in the file until
 /// dropUnused().
 struct CreasePattern {
   int frame = 0;  ///< of the file

@@ -18,7 +18,7 @@ using nlohmann::json;
 /// Of a FOLD file. Its JSON takes up to some thirty times as much memory.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
 
-/// Where in the file: key[index].
+/// Returns the place in the file: key[index].
 std::string place(const std::string& key, std::size_t index) {
   return key + "[" + std::to_string(index) + "]";
 }

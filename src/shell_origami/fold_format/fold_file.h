@@ -12,7 +12,7 @@
 
 namespace shell_origami {
 
-/// Which of a file's forms the paper takes.
+/// The form in which the paper of a file is loaded.
 enum class FoldForm {
   kFolded,  ///< the last folded form of the pattern, where there is one that is not folded flat
   kFlat,    ///< flat, as the crease pattern lies
@@ -29,11 +29,11 @@ struct FoldReadOptions {
 /// A paper as a FOLD file describes it.
 struct FoldPaper {
   Sheet sheet;
-  /// Where the paper is in space: the file's last folded form of this pattern, unless it is folded
-  /// flat (an edge beyond 179.9 degrees). A form drawn at another scale than its pattern is brought
-  /// to the pattern's. Vertices that the file lacks stand at their place in its faces.
+  /// Positions in space: the file's last folded form of this pattern, unless it is folded flat (an
+  /// edge beyond 179.9 degrees). A form at another scale than its pattern is scaled to the pattern.
+  /// Vertices that the file does not have are at their place in its faces.
   std::optional<Positions> positions;
-  /// At which angle each crease rests there [rad]; NaN: a free crease. Empty without positions.
+  /// Rest angle of each crease [rad]; NaN: a free crease. Empty without positions.
   std::vector<double> rest_angles;
 };
 

@@ -18,7 +18,7 @@ constexpr double kMostStretch = 1.25;
 constexpr double kSameScale = 0.01;
 /// Paper folded beyond this lies on itself: the solver cannot start from there [rad].
 constexpr double kFoldedFlat = 179.9 / 180 * M_PI;
-/// How far off another sheet of the same paper a vertex may lie by rounding, as a part of its size.
+/// Distance over the size of the sheet by which rounding may move a vertex off another mesh of it.
 constexpr double kRounding = 1e-9;
 
 /// Fold angle of an inner edge in space [rad], valley > 0.
@@ -34,7 +34,7 @@ double angleInSpace(const Sheet& sheet, const Positions& positions, const Edge& 
   return std::atan2(right.cross(left).dot(along), left.dot(right));
 }
 
-/// How many times as long as on the flat sheet each edge is in space.
+/// Returns the length of each edge in space over its flat length.
 std::vector<double> stretches(const Sheet& sheet, const Positions& positions) {
   std::vector<double> values;
   for (const Edge& edge : sheet.edges()) {
@@ -82,7 +82,7 @@ int findFoldedForm(const FoldDocument& document, int pattern_frame) {
   return -1;
 }
 
-/// Where the form has the vertices of a sheet that has the file's own [m].
+/// Returns the form's positions [m] for a sheet with the file's own vertices.
 Positions ownPositions(const FoldDocument& document, int frame, const PatternPlane& plane,
                        double metres, const PatternSheet& own) {
   const std::vector<Vector3> points = document.points(frame);

@@ -41,7 +41,7 @@ class BlockMatrix {
   std::vector<double> values_;
 };
 
-/// Where in a matrix the blocks of a list of stencils are added.
+/// Places in a matrix at which the blocks of a list of stencils are added.
 class BlockTargets {
  public:
   /// Looks the places up. `rows[v]` is the block row of vertex v, -1 where it is no unknown.
@@ -51,7 +51,7 @@ class BlockTargets {
  private:
   friend class HessianBlocks;
 
-  /// Where the block of a pair of a stencil's vertices is added.
+  /// Place of the block of a pair of vertices of a stencil.
   struct Target {
     int start;
     int stride;

@@ -22,7 +22,7 @@ class StencilSystem {
   /// its pattern and analyzes it anew where a stencil is not covered. Returns false where CHOLMOD
   /// could not analyze it, and is as after setFree() then.
   bool prepare(const std::vector<const Stencils*>& stencils);
-  /// How often the pattern was analyzed, over the life of the system.
+  /// Number of analyses of the pattern so far.
   int analyses() const { return analyses_; }
 
   void setZero() { matrix_.setZero(); }

@@ -1,5 +1,5 @@
 /// \file
-/// Which vertices an energy couples.
+/// The groups of vertices that an energy couples.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 /// \file
-/// Which unknown vertices share a stencil.
+/// The graph of unknown vertices that share a stencil.
 #pragma once
 
 #include <shell_origami/linear/stencils.h>

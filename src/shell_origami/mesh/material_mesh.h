@@ -13,7 +13,7 @@ namespace shell_origami {
 /// stands in space where its flat point was.
 class MaterialMesh {
  public:
-  /// How a vertex may be shifted on the flat sheet without changing the outline or a crease.
+  /// Directions in which a vertex may be shifted without changing the outline or a crease.
   struct Freedom {
     enum Kind { kFixed, kSlides, kFree } kind = kFixed;
     std::array<int, 2> rail{-1, -1};  ///< the neighbours between which it slides
@@ -58,7 +58,7 @@ class MaterialMesh {
 /// Smallest angle of a triangle [rad]; negative when it is clockwise.
 double smallestAngle(const Vector2& a, const Vector2& b, const Vector2& c);
 
-/// Where this edit left small angles, flips edges towards Delaunay and shifts loose vertices.
+/// Flips edges towards Delaunay and shifts free vertices near small angles that this edit left.
 void improve(MaterialMesh& mesh);
 
 }  // namespace shell_origami

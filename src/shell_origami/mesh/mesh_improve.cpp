@@ -114,10 +114,10 @@ bool inNarrowCorner(const MaterialMesh& mesh, int v, int w) {
   return false;
 }
 
-/// Where to split an edge: in the middle, but of an edge in a narrow corner on a circle around the
-/// corner whose radius is a power of two. The edges of the corner are then split at like distances;
-/// at their middles they would call forth ever shorter splits of one another (Ruppert 1995,
-/// concentric shells).
+/// Returns the point at which to split an edge: its middle, or for an edge in a narrow corner a
+/// point on a circle around the corner whose radius is a power of two. All edges of the corner are
+/// then split at equal distances; splits at their middles would cause ever shorter splits of each
+/// other (Ruppert 1995, concentric shells).
 Vector2 splitPoint(const MaterialMesh& mesh, Triangulation::Side side) {
   auto [a, b] = mesh.flat().ends(side);
   if (isFixed(mesh.flat(), side)) {

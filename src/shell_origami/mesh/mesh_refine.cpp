@@ -29,7 +29,7 @@ double length(const Triangulation& mesh, Side side) {
 Side longestSide(const Triangulation& mesh, int triangle) {
   Side best{triangle, 0};
   for (int k = 1; k < 3; ++k) {
-    // Equal lengths are told apart by the vertices, so that neighbours agree.
+    // Among equal lengths the vertices decide, so that both neighbors choose the same edge.
     const double now = length(mesh, {triangle, k}), before = length(mesh, best);
     if (now > before * (1 + 1e-12)) best = {triangle, k};
   }
@@ -185,7 +185,7 @@ struct Star {
   double longest = 0;  ///< edge at the centre
 };
 
-/// What the triangles around v were with v at p.
+/// Returns the shape of the triangles around v if v were at p.
 Star starAt(const Triangulation& mesh, const std::vector<int>& fan, int v, const Vector2& p) {
   Star star;
   for (int t : fan) {

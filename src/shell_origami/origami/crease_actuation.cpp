@@ -8,18 +8,18 @@
 namespace shell_origami {
 namespace {
 
-/// A free crease has this part of a crease's stiffness: it follows whatever pulls at it.
+/// Stiffness of a free crease over that of a driven one: it follows the creases around it.
 constexpr double kFreeCreaseSoftness = 0.01;
-/// It gives way, too: where it rests creeps to where it is within this time [s]. Held at rest flat
-/// it would bend the panels beside it by tens of degrees, towards the half turn.
-constexpr double kCreepTime = 0.05;
-/// Flat paper may go either of two ways at a vertex. So that it goes its pattern's, a free crease
-/// of which the pattern asks for a mountain or a valley leans to that side, as stiff as any, while
-/// the folds begin: by this part of the farthest one's angle, and no farther than this [rad]. Where
-/// it leaned more than it will have to fold (0.71 of the others in a waterbomb base) the vertex
-/// would pop the wrong way; half would not turn every fast vertex of four.
-constexpr double kLean = 0.6;
-constexpr double kMostLean = 2 * M_PI / 180;
+/// Time constant with which the rest angle of a free crease relaxes to its present angle [s]. With
+/// a rest angle of zero it would bend the panels beside it by tens of degrees near the half turn.
+constexpr double kRelaxationTime = 0.05;
+/// At a vertex flat paper may leave its plane in either of two ways. A free crease that the pattern
+/// calls a mountain or a valley is biased to that side, with a driven crease's stiffness, while the
+/// folds begin: by this part of the largest fold angle, and by kLargestBias [rad] at most. A bias
+/// larger than the angle that the crease will have (0.71 of the others' in a waterbomb base) would
+/// pop the vertex the wrong way; with 0.5 some fast vertices of four creases go the wrong way.
+constexpr double kBias = 0.6;
+constexpr double kLargestBias = 2 * M_PI / 180;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ void CreaseActuation::start(int crease, double target, double time, double durat
 }
 
 void CreaseActuation::synchronize(double time) {
-  // Of the ramps that begin now, the one of each duration and direction that goes farthest.
+  // For each duration and direction the ramp that goes farthest, among those that begin now.
   std::map<std::pair<double, bool>, const FoldRamp*> leads;
   std::vector<FoldRamp*> starting;
   for (FoldRamp& ramp : ramps_) {
@@ -87,23 +87,23 @@ void CreaseActuation::stop(double time) {
   }
 }
 
-void CreaseActuation::creep(double time, double duration, const Sheet& sheet, const Shell& shell,
-                            const Positions& positions) {
+void CreaseActuation::relaxFreeCreases(double time, double duration, const Sheet& sheet,
+                                       const Shell& shell, const Positions& positions) {
   double farthest = 0;
   for (const FoldRamp& ramp : ramps_) {
     if (ramp.driven) farthest = std::max(farthest, std::abs(ramp.angleAt(time)));
   }
-  const double lean = std::min(kLean * farthest, kMostLean);
-  const double part = 1 - std::exp(-duration / kCreepTime);
+  const double bias = std::min(kBias * farthest, kLargestBias);
+  const double part = 1 - std::exp(-duration / kRelaxationTime);
   for (std::size_t i = 0; i < ramps_.size(); ++i) {
     FoldRamp& ramp = ramps_[i];
     if (ramp.driven) continue;
     const double asked = sheet.creases()[i].pattern_angle;  // NaN: nothing
     const double side = asked > 0 ? 1 : asked < 0 ? -1 : 0;
     const double angle = meanAngle(static_cast<int>(i), shell, positions);
-    const bool leans = side != 0 && lean > 0 && side * angle < lean;
-    ramp.target = leans ? side * lean : ramp.target + part * (angle - ramp.target);
-    ramp.stiffness = leans ? stiffness_ : kFreeCreaseSoftness * stiffness_;
+    const bool biased = side != 0 && bias > 0 && side * angle < bias;
+    ramp.target = biased ? side * bias : ramp.target + part * (angle - ramp.target);
+    ramp.stiffness = biased ? stiffness_ : kFreeCreaseSoftness * stiffness_;
   }
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// How the creases of a sheet move: driven by folds, or freely.
+/// The motion of a sheet's creases: driven by folds, or free.
 #pragma once
 
 #include <shell_origami/energy/rest_shape.h>
@@ -12,12 +12,12 @@
 namespace shell_origami {
 
 /// One ramp for each crease of the sheet. Folds that begin at the same time and take equally long
-/// run together; creases that no fold has named are free: soft, they follow what the others ask of
-/// them, to the side that Crease::pattern_angle asks for.
+/// run together. Creases that no fold has named are free: they are soft and follow the others, to
+/// the side of Crease::pattern_angle.
 class CreaseActuation {
  public:
   CreaseActuation() = default;
-  /// Creases at rest at `rest_angles` [rad]; NaN: a free crease, that rests at its angle now.
+  /// Creases at rest at `rest_angles` [rad]; NaN: a free crease, which rests at its present angle.
   /// `stiffness` [N*m/rad per m] is that of creases whose fold states none.
   CreaseActuation(const std::vector<double>& rest_angles, double stiffness, const Shell& shell,
                   const Positions& positions);
@@ -34,17 +34,18 @@ class CreaseActuation {
   /// it has.
   void start(int crease, double target, double time, double duration, double stiffness,
              const Shell& shell, const Positions& positions);
-  /// Lets the ramps that begin now run together.
+  /// Makes the ramps that begin at this time run together.
   void synchronize(double time);
-  /// Ends every fold under way: its crease rests from now on at the angle it has reached.
+  /// Ends every running fold: its crease keeps the rest angle that the ramp has reached.
   void stop(double time);
-  /// Lets free creases lean, and give way for this long [s] to where the paper is.
-  void creep(double time, double duration, const Sheet& sheet, const Shell& shell,
-             const Positions& positions);
-  /// Where a crease at the end of its fold is pulled harder than the paper beside it can bear, its
-  /// rest angle gives way (RestShape::yield).
+  /// Moves the rest angles of free creases: those that are biased to the side of the pattern's
+  /// fold, the others relax for `duration` [s] towards their present angles.
+  void relaxFreeCreases(double time, double duration, const Sheet& sheet, const Shell& shell,
+                        const Positions& positions);
+  /// Moves the rest angle of a crease whose fold is done and whose moment exceeds the yield moment
+  /// of the paper beside it (RestShape::yield).
   void yield(double time, const Material& material, const Shell& shell, const Positions& positions);
-  /// Carries the ramps over an edit: a crease that was cut off another moves as that one did.
+  /// Carries the ramps over an edit: a crease that was cut off another one takes over its ramp.
   void follow(const Remap& remap, const std::vector<Crease>& before,
               const std::vector<Crease>& after);
   /// Gives the shell's creases their rest angles and stiffness at this time.

@@ -4,11 +4,11 @@
 
 namespace shell_origami {
 
-/// How one crease's rest angle goes from the angle recorded at the start of a fold to its target.
-/// Of folds that run together the one that goes farthest leads: its angle follows a smooth step of
-/// time, and tan(angle/2) of each other covers the same part of its own way as the lead's. That
-/// is how the creases of a flat-foldable vertex of four move, so that folds with compatible
-/// targets stay compatible all the way.
+/// The motion of a crease's rest angle from the angle at the start of a fold to its target. Of
+/// folds that run together the one that goes farthest leads: its angle follows a smooth step of
+/// time, and tan(angle/2) of each other one covers the same part of its way as that of the leading
+/// fold. The creases of a flat-foldable vertex of four move like this, so that folds with
+/// compatible targets stay compatible on the way.
 struct FoldRamp {
   bool driven = false;     ///< false: a free crease, soft, that no fold has named
   double from = 0;         ///< [rad] recorded at the start
@@ -23,7 +23,7 @@ struct FoldRamp {
   /// Rest angle at simulation time t [rad].
   double angleAt(double t) const;
   bool runningAt(double t) const { return driven && t < start + duration; }
-  /// How far tan(angle/2) goes.
+  /// Returns the difference of tan(angle/2) between start and target.
   double way() const;
   /// Whether it goes away from flat, or keeps its angle; otherwise it unfolds.
   bool folds() const;

@@ -13,7 +13,7 @@
 
 namespace shell_origami {
 
-/// Where a frame stands in the world.
+/// The pose of a frame in the world.
 struct Pose {
   Vector3 position = Vector3::Zero();                               ///< [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< of length 1

@@ -1,5 +1,5 @@
 /// \file
-/// Which vertices a person means.
+/// The ways to select vertices of a sheet.
 #pragma once
 
 #include <shell_origami/sheet/sheet.h>

@@ -59,7 +59,7 @@ json makeReport(const Simulation& simulation, const RunRecord& run) {
           {"factorizations", counters.factorizations},
           {"max_strain", orNull(simulation.maxStrain())},
           {"kinetic_energy", orNull(energies.kinetic)},
-          // What targets that are not compatible cost: rigid panels with creases at rest have none.
+          // The energy of incompatible targets: rigid panels with creases at rest have none.
           {"strain_energy", orNull(energies.strain())},
           {"settled", simulation.settled()},
           {"min_gap", -1},  // contact is not computed

@@ -1,5 +1,5 @@
 /// \file
-/// What a run leaves behind: report.json, final.fold, final.obj.
+/// The results of a run: report.json, final.fold, final.obj.
 #pragma once
 
 #include <shell_origami/base/files.h>
@@ -12,7 +12,7 @@
 
 namespace shell_origami {
 
-/// What is known of a run beside its paper.
+/// Data of a run that its paper does not hold.
 struct RunRecord {
   std::string recipe;              ///< its name
   double wall_time = 0;            ///< [s]

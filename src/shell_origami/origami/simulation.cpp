@@ -131,7 +131,7 @@ void Simulation::updateRestState(double time) { creases_.apply(time, shell_.shel
 /// Moves the rest state as far as the paper's shape makes it: free creases follow, and what is bent
 /// too far yields.
 void Simulation::giveWay(const Positions& positions) {
-  creases_.creep(time_, config_.solver.time_step, sheet_, shell_.shell(), positions);
+  creases_.relaxFreeCreases(time_, config_.solver.time_step, sheet_, shell_.shell(), positions);
   creases_.yield(time_, config_.material, shell_.shell(), positions);
   rest_.yield(config_.material, positions, shell_.shell(), shell_.rest);
   updateRestState(time_);

@@ -46,7 +46,7 @@ Counters countersFrom(const nlohmann::json& json);
 
 /// Exact: what is read back is what was written, but for Counters::times.
 nlohmann::json toJson(const Snapshot& snapshot);
-/// \throws std::invalid_argument with one sentence when it is none of a paper.
+/// Throws std::invalid_argument if the JSON is not that of a snapshot.
 Snapshot snapshotFrom(const nlohmann::json& json);
 
 }  // namespace shell_origami

@@ -10,16 +10,16 @@
 
 namespace shell_origami {
 
-/// What an edit must respect of the folded paper.
+/// Properties of the folded paper that an edit must respect.
 struct EditContext {
-  /// Where the vertices are in space; null: flat. Edges across which the paper is bent are not
+  /// Positions of the vertices in space; null: flat. Edges across which the paper is bent are not
   /// flipped and vertices on a bend are not shifted, so that the paper keeps its shape.
   const Positions* positions = nullptr;
   /// Vertices that must not be shifted.
   std::set<int> held;
 };
 
-/// What makeFoldLine did.
+/// The result of makeFoldLine().
 struct FoldLine {
   std::vector<std::uint32_t> crease_ids;  ///< creases on the line, in order from its start
   std::vector<int> vertices;              ///< the polyline in order, one part after the other

@@ -9,12 +9,12 @@
 
 namespace shell_origami {
 
-/// What became of vertices, edges, triangles and creases in an edit. Vertices are never removed or
+/// Origins of vertices, edges, triangles and creases in an edit. Vertices are never removed or
 /// renumbered; an edit may add some and shift some along the flat sheet.
 struct Remap {
   static constexpr int kNone = -1;
 
-  /// Where a vertex of the sheet after the edit lay before it: the affine combination of up to
+  /// Previous place of a vertex of the sheet after the edit: the affine combination of up to
   /// three vertices of the sheet before (weights sum to 1). Carries positions, velocities and
   /// accelerations over.
   struct Origin {
@@ -39,7 +39,7 @@ struct Remap {
   Eigen::Matrix3Xd apply(const Eigen::Matrix3Xd& before, int vertices_after) const;
 };
 
-/// What became of vertices, edges and triangles between two states of one sheet; points closer
+/// Returns the origins of vertices, edges and triangles of a later state of a sheet; points closer
 /// than `tolerance` [m] are one. `born` is left empty.
 Remap traceEdit(const Sheet& before, const Sheet& after, double tolerance);
 

@@ -17,7 +17,7 @@ struct Crease {
   std::uint32_t id = 0;       ///< unique for the life of the sheet, never reused
   std::string name;           ///< pieces of one crease share it
   std::vector<int> vertices;  ///< the polyline in order, at least two vertices
-  /// What the pattern it came with asks of it [rad], valley > 0; NaN: nothing.
+  /// Fold angle in the pattern that the sheet was loaded from [rad], valley > 0; NaN: none.
   double pattern_angle = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -64,7 +64,7 @@ class Sheet {
   /// Grows by one with every edit.
   std::uint32_t revision() const { return revision_; }
   std::uint32_t nextCreaseId() const { return next_crease_id_; }
-  /// What a sheet cannot know that is made of what another consists of.
+  /// Sets the counters of a sheet that is constructed from the parts of another one.
   /// \throws std::invalid_argument when a crease has the next id or one after it
   void restore(std::uint32_t revision, std::uint32_t next_crease_id);
 

@@ -31,7 +31,7 @@ bool isBeyond(const Vector2& p, const Segment& line) {
   return (line[1] - line[0]).dot(p - line[1]) > 0;
 }
 
-/// Where the line through `line` meets the one through a and b.
+/// Returns the intersection of the line through `line` and the line through a and b.
 Vector2 intersection(const Vector2& a, const Vector2& b, const Segment& line) {
   const double sa = offLine(a, line), sb = offLine(b, line);
   return a + sa / (sa - sb) * (b - a);

@@ -1,5 +1,5 @@
 /// \file
-/// An edit of a sheet under way: works on a copy and hands it back whole.
+/// An edit of a sheet, which is made on a copy and committed as a whole.
 #pragma once
 
 #include <shell_origami/mesh/material_mesh.h>
@@ -14,27 +14,27 @@ class SheetEditor {
  public:
   SheetEditor(const Sheet& sheet, const EditContext& context);
 
-  /// The vertex at p: one that is there, one close by that may be shifted there, or a new one. On a
-  /// slit it is on the side that lies towards `ahead`, if one does.
-  /// \throws std::invalid_argument off the paper
+  /// Returns the vertex at p: an existing one, a nearby one shifted there, or a new one. On a slit
+  /// it is on the side in the direction `ahead`, if there is one. Throws std::invalid_argument if p
+  /// is off the paper.
   int insertPoint(const Vector2& p, const Vector2& ahead);
-  /// The same at an end of a line: hardly off the border, a crease or a vertex of theirs
-  /// (kMergedFeature), it is taken to be on it.
+  /// The same for an end of a line, which is moved onto the border, a crease or one of their
+  /// vertices if it is very close (kMergedFeature).
   int insertEnd(const Vector2& p, const Vector2& ahead);
   /// Makes the straight line from one vertex to another run along edges and returns the vertices
   /// of its parts inside the paper, in order. Edges that carried no crease form a new one.
   std::vector<std::vector<int>> insertLine(int from, int to);
   MaterialMesh& mesh() { return mesh_; }
 
-  /// Gives the edit to the sheet and bumps its revision. Creases are gathered from the labels;
-  /// `name` goes to those that are new on the polyline.
+  /// Replaces the sheet by the edited copy and increases its revision. Creases are gathered from
+  /// the labels; those that are new on the polyline are called `name`.
   FoldLine commit(Sheet& sheet, const std::vector<std::vector<int>>& parts,
                   const std::string& name);
 
  private:
-  /// A crease under way: the parent it was cut off, or none.
+  /// A crease of the edited copy that the sheet does not have yet.
   struct NewCrease {
-    std::optional<int> parent;  ///< index of the old crease
+    std::optional<int> parent;  ///< index of the old crease that it was cut off
   };
   int addCrease(std::optional<int> parent);
   bool coincide(int v, int w) const;
@@ -53,7 +53,7 @@ class SheetEditor {
                                     const std::string& name, std::vector<Remap::Born>& born);
 
   MaterialMesh mesh_;
-  double merged_;    ///< within this the line's ends are merged with fixed vertices and edges [m]
+  double merged_;    ///< distance within which ends are moved onto fixed vertices and edges [m]
   double shortest_;  ///< edge that may be made [m]
   const std::vector<Crease>& old_creases_;
   std::vector<NewCrease> new_creases_;
