@@ -1,4 +1,4 @@
-"""The figures of a verification, from the CSV files that origami_verify wrote."""
+"""The figures of the verification, from the CSV files that origami_verify wrote."""
 import csv
 import math
 import os
@@ -15,7 +15,7 @@ COLOURS = ['#1b6ca8', '#d1495b', '#3a8f5c', '#8a5fbf', '#c77f1a', '#555555']
 
 
 def read(folder, name):
-    """Columns by name; numbers where they are."""
+    """Returns the rows as dictionaries; values that are numbers become floats."""
     with open(os.path.join(folder, name + '.csv'), newline='') as file:
         rows = list(csv.DictReader(file))
 
@@ -28,7 +28,7 @@ def read(folder, name):
 
 
 def groups(rows, key):
-    """(value, its rows, a colour) for each value of a column, in their order."""
+    """Returns (value, rows, color) for each value of a column, in order."""
     values = list(dict.fromkeys(row[key] for row in rows))
     return [(value, [row for row in rows if row[key] == value], COLOURS[i % len(COLOURS)])
             for i, value in enumerate(values)]
@@ -44,7 +44,7 @@ def slope(axes, x, y, order, label):
 
 
 def few_decades(axis):
-    """Numbers at 1, 2 and 5 of each decade of a logarithmic axis, where powers of ten are too few."""
+    """Labels 1, 2 and 5 of each decade of a logarithmic axis on which powers of ten are too few."""
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter('{x:g}')
     axis.set_minor_formatter(NullFormatter())
@@ -175,17 +175,17 @@ def flat_folded(rows, axes):
 
 
 FIGURES = [
-    ('3 Order in time', time_order, 'How much the state after 1.25 periods changes when the time '
-     'step is halved. Dashed: orders 2 and 1.'),
+    ('3 Order in time', time_order, 'Change of the state after 1.25 periods when the time step is '
+     'halved. Dashed: orders 2 and 1.'),
     ('4 First frequency of a cantilever', vibration, 'The tip of a clamped sheet that starts flat '
      'with the velocities of its first mode; the energy of the same run.'),
     ('4 Cantilever under its own weight', cantilever_shape, 'Lines: the heavy elastica. Dots: the '
-     'finest mesh, one dot a row of vertices; the first two rows are held.'),
+     'finest mesh, one dot for each row of vertices; the first two rows are held.'),
     ('4 Cantilever under its own weight', cantilever_convergence, 'Full lines: extrapolated to '
-     'endless breadth. Dotted: the sheet three times as wide as long, whose free sides curl, which '
-     'adds to the drop: the error changes its sign on the way.'),
+     'infinite breadth. Dotted: the sheet three times as wide as long, whose free sides curl. This '
+     'adds to the drop, so that the error changes its sign.'),
     ('5 Energy of a cylinder', cylinder, 'Directions from the rows of triangles.'),
-    ('6 Crease opened by a moment', crease_moment, 'A crease at rest flat.'),
+    ('6 Crease opened by a moment', crease_moment, 'A crease with a rest angle of zero.'),
     ('7 Flat-foldable vertex of four creases', degree4, 'Sectors of 110, 50, 70 and 130 degrees.'),
     ('8 Miura-ori', miura, '6 x 6 panels of 60 degrees.'),
     ('9 Waterbomb base', waterbomb, ''),
