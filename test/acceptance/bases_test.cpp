@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +22,10 @@ void foldThrough(Simulation& simulation, const std::vector<std::pair<std::string
   }
 }
 
+/// Largest relative error of rigid folding. Newton's method stops at 1e-5 m/s: a vertex then moves
+/// by less than 1.7e-7 m in a step, 7e-6 of the side of a panel of 25 mm.
+constexpr double kRigid = 7e-6;
+
 const std::vector<double> kTenStates{15, 30, 45, 60, 75, 90, 105, 120, 135, 150};
 
 /// Closed form 8 of parallelograms with equal sides and an acute angle q of 60 degrees; the zigzags
@@ -34,7 +37,7 @@ void expectMiura(const Simulation& simulation, int count, double side, double an
   for (const CreaseStatus& crease : simulation.creases()) {
     const bool zigzag = crease.name.rfind("zigzag", 0) == 0;
     const double expected = zigzag ? exact.zigzagAngle() : exact.otherAngle();
-    EXPECT_NEAR(std::abs(crease.angle) / expected, 1, 0.01) << crease.name;
+    EXPECT_NEAR(std::abs(crease.angle) / expected, 1, kRigid) << crease.name;
   }
   const auto distance = [&](const Vector2& a, const Vector2& b) {
     return (simulation.positions().col(simulation.sheet().nearestVertex(a)) -
@@ -43,8 +46,8 @@ void expectMiura(const Simulation& simulation, int count, double side, double an
   };
   const int even = count / 2 * 2;
   const Vector2 along(even * side, 0), across(0, even * side * std::sin(exact.q));
-  EXPECT_NEAR(distance({0, 0}, along) / (even * exact.length()), 1, 0.01);
-  EXPECT_NEAR(distance({0, 0}, across) / (even * exact.width()), 1, 0.01);
+  EXPECT_NEAR(distance({0, 0}, along) / (even * exact.length()), 1, kRigid);
+  EXPECT_NEAR(distance({0, 0}, across) / (even * exact.width()), 1, kRigid);
   EXPECT_LT(simulation.maxStrain(), 0.002);
 }
 
@@ -64,12 +67,13 @@ TEST(Miura, AThousandCreasesFoldAsSixtyDo) {
 TEST(Waterbomb, MountainFollowsTheValleys) {
   // Closed form 9: tan(rho_M / 2) = -tan(rho_V / 2) / sqrt 2.
   Simulation simulation = fromRecipe("waterbomb");
+  // Two seconds after a fold the paper still swings by some hundredths of a degree.
   foldThrough(simulation, {{"diagonal", 1}}, {15, 30, 45, 60, 75, 90, 105, 120, 135, 150, 165},
               [&](double angle) {
                 const double mountain = waterbombMountain(angle);
                 for (const CreaseStatus& crease : simulation.creases()) {
                   const double expected = crease.name == "diagonal" ? angle : mountain;
-                  EXPECT_NEAR(crease.angle / kDegree, expected / kDegree, 1) << crease.name;
+                  EXPECT_NEAR(crease.angle / kDegree, expected / kDegree, 0.05) << crease.name;
                 }
                 EXPECT_LT(simulation.maxStrain(), 0.002);
               });
@@ -87,20 +91,21 @@ TEST(SixCreases, FoldTheSameWayFastAndSlowly) {
       const double follows = waterbombMountain(M_PI / 2);
       for (const CreaseStatus& crease : simulation.creases()) {
         const double expected = crease.driven ? M_PI / 2 : follows;
-        EXPECT_NEAR(crease.angle / kDegree, expected / kDegree, 1) << name << " in " << duration;
+        EXPECT_NEAR(crease.angle / kDegree, expected / kDegree, 5e-4) << name << " in " << duration;
       }
     }
   }
 }
 
 TEST(Cone, SlopeOfTheApplesBowl) {
-  // Closed form 10, at alpha = 15 degrees: 23.7 degrees.
+  // Closed form 10, at alpha = 15 degrees: 23.56 degrees. The pleat's sides are 4 degrees from
+  // shut, alpha sin(4 degrees) apart, which changes the slope by a small multiple of the square.
   constexpr double kAlpha = 15 * kDegree, kRadius = 0.06;
   const Simulation simulation = foldedCone(kAlpha, kRadius);
   EXPECT_TRUE(simulation.settled());
   const double slope = measuredConeSlope(simulation, kAlpha, kRadius) / kDegree;
-  std::printf("cone of slope %.2f degrees\n", slope);
-  EXPECT_NEAR(slope, coneSlope(kAlpha) / kDegree, 2);
+  EXPECT_NEAR(slope, coneSlope(kAlpha) / kDegree,
+              4 * std::pow(kAlpha * std::sin(4 * kDegree), 2) / kDegree);
 }
 
 }  // namespace
