@@ -15,7 +15,7 @@ from tf2_msgs.msg import TFMessage
 
 from shell_origami import msg, srv
 
-# Debian 11's rospy still asks threads by this name as it ends, which its Python no longer knows.
+# Debian 11's rospy calls this method at its end, which Debian 11's Python no longer has.
 if not hasattr(threading.Thread, 'isAlive'):
     threading.Thread.isAlive = threading.Thread.is_alive
 
