@@ -393,6 +393,27 @@ TEST(Simulation, AnInterruptedSettleChangesNothing) {
   EXPECT_EQ(interrupted.creases()[0].rest_angle, untouched.creases()[0].rest_angle);
 }
 
+/// Solves may trust what the one before has shown, but not across an event.
+TEST(Simulation, AfterAFoldOrAStepInPartsTheSolverLooksAgain) {
+  Simulation folded = square();
+  folded.fold(diagonal(1));
+  settle(folded);
+  Snapshot trusting = folded.snapshot();
+  trusting.solver = {1e-6, 2};
+  Simulation unfolding(trusting), yanked(trusting);
+  unfolding.fold({CreaseName{folded.creases()[0].name}, -1.0});
+  EXPECT_EQ(unfolding.snapshot().solver.contraction, 1);
+  EXPECT_EQ(unfolding.snapshot().solver.unchecked, 0);
+
+  yanked.pin(std::vector<Vector2>{{0, 0}}, "hand", {});
+  yanked.carry("hand", Pose{Vector3(0, 0, 0.05)});
+  const StepReport report = yanked.step();
+  ASSERT_TRUE(report.converged) << report.failure;
+  ASSERT_GT(report.retries, 0);
+  EXPECT_EQ(yanked.snapshot().solver.contraction, 1);
+  EXPECT_EQ(yanked.snapshot().solver.unchecked, 0);
+}
+
 TEST(Simulation, ARecordHoldsWhatTheEditMeantAndDid) {
   Simulation simulation = square();
   const int corner = simulation.sheet().nearestVertex({kSide, kSide});

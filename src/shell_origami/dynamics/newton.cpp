@@ -198,6 +198,8 @@ NewtonResult Newton::minimize(const Potentials& potentials, const Eigen::VectorX
     }
     uphill = false;
   }
+  // Where the factor had to be renewed, paper snaps or buckles: the next solve is another one.
+  if (result.factorizations > 1) state_ = {};
   if (const auto jump = objective_.findJump()) {
     result.converged = false;
     result.failure = jump->what;

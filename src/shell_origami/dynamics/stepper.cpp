@@ -68,6 +68,7 @@ StepReport Stepper::step(const Potentials& potentials, const Eigen::VectorXd& ma
   if (report.converged) {
     report.failure.clear();
     report.vertex = -1;
+    solver_->restoreState({});
     if (config_.integrator == IntegratorKind::kNewmark) trial.accelerations.setZero();
     motion = std::move(trial);
   }

@@ -54,6 +54,7 @@ FoldEdit Simulation::make(const FoldEdit& edit, EditRecord& record) {
     made.where = between;
   }
   updateRestState(time_);
+  stepper_.restoreState({});
   return made;
 }
 
