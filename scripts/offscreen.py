@@ -30,8 +30,8 @@ read_size.__name__ = "size, WIDTHxHEIGHT in pixels"  # as argparse calls it in i
 
 
 def bare_config(view, box, width, height):
-    """Returns rviz's configuration with a recipe's view of the box, the grid just below it, no panels."""
-    config = config_for(view, box, box[2][0] - 0.001)
+    """rviz's configuration with a recipe's view of the box, no panels."""
+    config = config_for(view, box)
     config["Panels"] = []
     config["Window Geometry"] = {"X": 0, "Y": 0, "Width": width, "Height": height,
                                  "Hide Left Dock": True, "Hide Right Dock": True}

@@ -1,5 +1,9 @@
-// Sheets and states made by hand are drawn; what the colours of their triangles tell is looked at.
+// Sheets and states made by hand are drawn: what the colours of their triangles tell, what is
+// written beside them, what the ground shows, and when a drawing differs from another.
+#include <shell_origami/node/draw/ground.h>
+#include <shell_origami/node/draw/marker_publisher.h>
 #include <shell_origami/node/draw/markers.h>
+#include <shell_origami/node/view.h>
 
 #include <shell_origami/mesh/triangulate.h>
 #include <shell_origami/sheet/fold_line.h>
@@ -51,13 +55,19 @@ struct Drawn {
   /// The colours of a side of the paper.
   std::vector<std_msgs::ColorRGBA> colours(Coloring colouring,
                                            const std::string& side = "front") const {
-    MarkerPainter painter(false, colouring);
+    MarkerPainter painter({}, colouring);
     painter.setSheet(sheet);
     EXPECT_TRUE(painter.fits(state));
     for (const auto& marker : painter.draw(state).markers) {
       if (marker.ns == side) return marker.colors;
     }
     return {};
+  }
+
+  visualization_msgs::MarkerArray draw(const LabelChoice& labels = {}) const {
+    MarkerPainter painter(labels, Coloring::kPaper);
+    painter.setSheet(sheet);
+    return painter.draw(state);
   }
 
   Positions positions() const {
@@ -169,6 +179,154 @@ TEST(Coloring, NonsenseHasColoursToo) {
       EXPECT_TRUE(c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1);
     }
   }
+}
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+std::vector<Marker> inNamespace(const MarkerArray& array, const std::string& name) {
+  std::vector<Marker> result;
+  for (const Marker& marker : array.markers) {
+    if (marker.ns == name) result.push_back(marker);
+  }
+  return result;
+}
+
+Drawn atHeight(double height) {
+  return Drawn(paper(), [height](const Vector2& p) { return Vector3(p.x(), p.y(), height); });
+}
+
+TEST(Ground, IsBelowWhatTheSheetReachesWhenItFolds) {
+  EXPECT_LT(groundBelow(atHeight(0).positions(), kWidth), -kWidth / 2);
+  const Drawn upright(paper(), [](const Vector2& p) { return Vector3(p.y(), 0, p.x()); });
+  const double ground = groundBelow(upright.positions(), kWidth);
+  EXPECT_LT(ground, 0);
+  EXPECT_GT(ground, -kWidth / 10);
+}
+
+TEST(Ground, PaperCastsItsShadowThere) {
+  Drawn drawn = atHeight(0.1);
+  drawn.sheet.ground = -0.25F;
+  const Marker shadow = inNamespace(drawn.draw(), "shadow").at(0);
+  ASSERT_EQ(shadow.points.size(), 3 * drawn.sheet.triangles.size());
+  for (const auto& p : shadow.points) EXPECT_NEAR(p.z, -0.25, 1e-12);
+  // The light comes from one side.
+  const auto& corner = drawn.state.positions[drawn.sheet.triangles[0].vertex_indices[0]];
+  EXPECT_NEAR(shadow.points[0].x, corner.x - 0.35 / 0.9 * 0.35, 1e-6);
+}
+
+TEST(Ground, PaperBelowItCastsNoShadow) {
+  Drawn drawn = atHeight(-0.3);
+  drawn.sheet.ground = -0.25F;
+  EXPECT_EQ(inNamespace(drawn.draw(), "shadow").at(0).action, Marker::DELETE);
+  EXPECT_EQ(inNamespace(drawn.draw(), "ground").at(0).action, Marker::ADD);
+}
+
+TEST(Ground, LinesAreAtRoundPlacesAroundThePaper) {
+  for (const double offset : {0.0, 0.004, 3.0}) {
+    const Drawn drawn(paper(),
+                      [&](const Vector2& p) { return Vector3(p.x() + offset, p.y() - offset, 0); });
+    const Marker grid = groundGrid(drawn.positions(), kWidth, -0.2, {});
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const auto& p : grid.points) {
+      EXPECT_NEAR(p.x / 0.05, std::round(p.x / 0.05), 1e-9);
+      low = std::min(low, p.x);
+      high = std::max(high, p.x);
+    }
+    EXPECT_NEAR((low + high) / 2, offset + kWidth / 2, 0.025 + 1e-9);
+  }
+}
+
+Drawn creased(double angle) {
+  Sheet folded = paper();
+  makeFoldLine(folded, {Vector2(kWidth / 2, 0), Vector2(kWidth / 2, kHeight)});
+  Drawn drawn(folded, flat);
+  drawn.sheet.creases.at(0).name = "middle";
+  drawn.state.creases.at(0).angle = static_cast<float>(angle);
+  return drawn;
+}
+
+TEST(Labels, CreasesHaveNamesAndAnglesOnDemand) {
+  Drawn drawn = creased(-1.5);
+  EXPECT_TRUE(inNamespace(drawn.draw(), "crease_labels").empty());
+  EXPECT_EQ(inNamespace(drawn.draw({false, true}), "crease_labels").at(0).text, "middle  -86 deg");
+  drawn.sheet.creases[0].name.clear();
+  drawn.sheet.creases[0].id = 7;
+  EXPECT_EQ(inNamespace(drawn.draw({false, true}), "crease_labels").at(0).text,
+            "crease 7  -86 deg");
+}
+
+TEST(Labels, WhatIsNoLongerWantedIsDeletedOnce) {
+  const Drawn drawn = creased(1);
+  MarkerPainter painter({true, true}, Coloring::kPaper);
+  painter.setSheet(drawn.sheet);
+  const MarkerArray shown = painter.draw(drawn.state);
+  EXPECT_EQ(inNamespace(shown, "vertex_ids").size(), drawn.state.positions.size());
+  painter.choose({});
+  const MarkerArray deleted = painter.draw(drawn.state);
+  for (const char* name : {"vertex_ids", "crease_labels"}) {
+    EXPECT_EQ(inNamespace(deleted, name).size(), inNamespace(shown, name).size());
+    for (const Marker& marker : inNamespace(deleted, name))
+      EXPECT_EQ(marker.action, Marker::DELETE);
+    EXPECT_TRUE(inNamespace(painter.draw(drawn.state), name).empty());
+  }
+}
+
+TEST(Labels, OverstretchedPaperIsMarked) {
+  Drawn drawn(paper(), flat);
+  EXPECT_EQ(inNamespace(drawn.draw(), "warning").at(0).action, Marker::DELETE);
+  drawn.state.max_strain = 0.12F;
+  const Marker warning = inNamespace(drawn.draw(), "warning").at(0);
+  EXPECT_EQ(warning.action, Marker::ADD);
+  EXPECT_EQ(warning.text, "stretched by 12 %, further than paper bears");
+}
+
+TEST(Drawing, LooksTheSameWhileNothingMovesByMoreThanTheDistance) {
+  const MarkerArray before = creased(1).draw({true, true});
+  const auto moved = [&](double way) {
+    Drawn drawn = creased(1);
+    drawn.state.positions[5].z += static_cast<float>(way);
+    return drawn.draw({true, true});
+  };
+  EXPECT_TRUE(looksTheSame(before, before, 0));
+  EXPECT_TRUE(looksTheSame(before, moved(1e-6), 2e-6));
+  EXPECT_FALSE(looksTheSame(before, moved(1e-5), 2e-6));
+}
+
+TEST(Drawing, LooksDifferentWithOtherColorsTextsAndPins) {
+  const MarkerArray before = creased(1).draw({false, true});
+  EXPECT_FALSE(looksTheSame(before, creased(1.02).draw({false, true}), 1e-3));
+  EXPECT_FALSE(looksTheSame(before, creased(1).draw(), 1e-3));
+  Drawn pinned = creased(1);
+  pinned.state.pinned = {0};
+  EXPECT_FALSE(looksTheSame(before, pinned.draw({false, true}), 1e-3));
+  MarkerArray redder = before;
+  redder.markers[0].colors[0].r += 0.1F;
+  EXPECT_FALSE(looksTheSame(before, redder, 1e-3));
+}
+
+TEST(Camera, StaysWhilePaperFoldsAndFollowsItWhenItFalls) {
+  CameraTarget target;
+  const Vector3 start = target.follow(atHeight(0).positions(), kWidth);
+  EXPECT_TRUE(start.isApprox(Vector3(kWidth / 2, kHeight / 2, 0), 1e-6));
+  EXPECT_EQ(target.follow(atHeight(-0.03).positions(), kWidth), start);
+  for (const double height : {-0.1, -1.0, -50.0}) {
+    const Vector3 now = target.follow(atHeight(height).positions(), kWidth);
+    EXPECT_NEAR(now.z() - height, 0.2 * kWidth, 1e-5);
+    EXPECT_TRUE(now.head<2>().isApprox(start.head<2>()));
+  }
+  target.forget();
+  EXPECT_NEAR(target.follow(atHeight(1).positions(), kWidth).z(), 1, 1e-6);
+}
+
+TEST(Camera, StandsWhereTheRecipeSaysOrBySize) {
+  EXPECT_NEAR(viewOf(nullptr, 3).distance / viewOf(nullptr, 0.3).distance, 10, 1e-12);
+  const Recipe silent = readRecipe({"yaml", "", "steps: []"});
+  EXPECT_EQ(viewOf(&silent, 0.3).distance, viewOf(nullptr, 0.3).distance);
+  const Recipe recipe =
+      readRecipe({"yaml", "", "view: {yaw_deg: 90, pitch_deg: 8, distance: 0.7}"});
+  EXPECT_EQ(viewOf(&recipe, 0.3).distance, 0.7);
+  EXPECT_NEAR(viewOf(&recipe, 0.3).yaw, M_PI / 2, 1e-12);
 }
 
 }  // namespace

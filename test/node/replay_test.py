@@ -13,7 +13,7 @@ import rospy
 import rostest
 from visualization_msgs.msg import MarkerArray
 
-from origami_client import NodeTest, Origami, Recorder, line, wait_until
+from origami_client import NodeTest, Origami, Recorder, line
 
 TOPICS = ['/origami/sheet', '/origami/state', '/origami/edits', '/tf', '/tf_static']
 
@@ -51,8 +51,8 @@ class ReplayTest(NodeTest):
         stop(recording)
         return {m.markers[0].header.stamp: m for m in live.all()}
 
-    def replay(self, count):
-        """What is drawn of a recording of so many states."""
+    def replay(self):
+        """What is drawn of the recording, to its pin."""
         program = roslib.packages.find_node('shell_origami', 'origami_markers')[0]
         drawn = Recorder('/replayed/markers', MarkerArray)
         rospy.set_param('/painter', {'origami': 'replayed',
@@ -62,7 +62,7 @@ class ReplayTest(NodeTest):
             ['rosbag', 'play', '--quiet', '--rate', '2', '--delay', '1', self.bag] +
             [topic + ':=/replayed' + topic.replace('/origami', '') for topic in TOPICS])
         self.assertEqual(player.wait(20), 0)
-        wait_until(lambda: len(drawn.all()) > count - 3)
+        drawn.wait(lambda m: any(n.ns == 'pins' and n.action == n.ADD for n in m.markers))
         stop(painter)
         return drawn.all()
 
@@ -76,8 +76,12 @@ class ReplayTest(NodeTest):
         self.assertEqual(len(sheets), 2)
         self.assertGreater(len(states), 30)
 
-        for message in self.replay(len(states)):
-            self.assertEqual(message, live[message.markers[0].header.stamp])  # in every field
+        # Paper at rest is drawn a few times only, and not always at the same times.
+        replayed = {m.markers[0].header.stamp: m for m in self.replay()}
+        both = set(live) & set(replayed)
+        self.assertGreater(len(both), 15)
+        for stamp in both:
+            self.assertEqual(replayed[stamp], live[stamp])  # in every field
 
 
 if __name__ == '__main__':

@@ -60,7 +60,7 @@ class TopicsTest(NodeTest):
             a, b, c = (sheet.flat_positions[v] for v in triangle.vertex_indices)
             self.assertGreater((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x), 0)
         frames = self.frames_at(state.header.stamp)
-        self.assertEqual(set(frames), {'paper', 'panel_0'})
+        self.assertEqual(set(frames), {'paper', 'panel_0', 'paper_view'})
         self.assertEqual(frames['paper'].header.frame_id, 'world')
         self.assertAlmostEqual(frames['paper'].transform.rotation.w, 1, delta=1e-9)
         panel = frames['panel_0'].transform
@@ -77,7 +77,7 @@ class TopicsTest(NodeTest):
             self.origami.do('step', steps=90)
             state = self.origami.state()
             frames = self.frames_at(state.header.stamp)
-            self.assertEqual(set(frames), {'paper', 'panel_0', 'panel_1'})
+            self.assertEqual(set(frames), {'paper', 'panel_0', 'panel_1', 'paper_view'})
             turn = turn_between(frames['panel_0'].transform, frames['panel_1'].transform)
             self.assertAlmostEqual(turn, abs(state.creases[0].angle), delta=0.03)
             self.assertAlmostEqual(turn, abs(angle), delta=0.05)

@@ -16,6 +16,9 @@ enum class MembraneKind {
 /// The kinds by the names that people write.
 const std::map<std::string, MembraneKind>& membraneNames();
 
+/// Paper tears before it is stretched so far.
+constexpr double kBearableStrain = 0.02;
+
 /// Isotropic elastic paper. Defaults are copy paper.
 struct Material {
   double youngs_modulus = 2e9;     ///< E [Pa]

@@ -1,6 +1,8 @@
 #include <shell_origami/node/conversions.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/node/draw/ground.h>
+#include <shell_origami/node/draw/sheet_measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +82,8 @@ msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header) 
     entry.vertices = vertexIds(crease.vertices);
     message.creases.push_back(entry);
   }
+  message.ground =
+      static_cast<float>(groundBelow(session.original().motion.positions, sheetSize(message)));
   return message;
 }
 
@@ -113,6 +117,7 @@ msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs
   message.pinned.assign(simulation.pinned().begin(), simulation.pinned().end());
   message.settled = simulation.settled();
   message.paused = paused;
+  message.max_strain = static_cast<float>(simulation.maxStrain());
   return message;
 }
 

@@ -7,8 +7,6 @@ namespace shell_origami {
 namespace {
 
 constexpr double kWarnPeriod = 60;  ///< [s]
-/// Session tears before it is stretched so far.
-constexpr double kMostStrain = 0.02;
 
 using diagnostic_msgs::DiagnosticStatus;
 
@@ -73,12 +71,13 @@ void Diagnostics::pace(Status& status) const {
   status.add("dropped_so_far", origami_.dropped());
 }
 
-void Diagnostics::paper(Status& status) const {
+void Diagnostics::paper(Status& status) {
   const Simulation& simulation = origami_.session().simulation();
   const Energies energies = simulation.energies();
   const double strain = simulation.maxStrain();
+  warnOfStrain(strain);
   const bool settled = simulation.settled();
-  if (strain > kMostStrain) {
+  if (strain > kBearableStrain) {
     status.summaryf(DiagnosticStatus::WARN, "stretched by %.1f %%, further than paper bears",
                     100 * strain);
   } else {
@@ -90,6 +89,19 @@ void Diagnostics::paper(Status& status) const {
   status.add("settled", settled);
   status.add("strain_energy", energies.strain());
   status.add("kinetic_energy", energies.kinetic);
+}
+
+/// Once, and again only after the paper was relieved.
+void Diagnostics::warnOfStrain(double strain) {
+  if (strain > kBearableStrain && !overstretched_) {
+    ROS_WARN(
+        "the paper is stretched by %.1f %%, further than paper bears (%.0f %%): look at what "
+        "holds it",
+        100 * strain, 100 * kBearableStrain);
+    overstretched_ = true;
+  } else if (strain < kBearableStrain / 2) {
+    overstretched_ = false;
+  }
 }
 
 }  // namespace shell_origami

@@ -21,11 +21,13 @@ class Diagnostics {
   void update();
   void solver(Status& status) const;
   void pace(Status& status) const;
-  void paper(Status& status) const;
+  void paper(Status& status);
+  void warnOfStrain(double strain);
 
   OrigamiNode& origami_;
-  Counters counters_;   ///< when it was last told
-  double dropped_ = 0;  ///< [s] when it was last told
+  Counters counters_;           ///< when it was last told
+  double dropped_ = 0;          ///< [s] when it was last told
+  bool overstretched_ = false;  ///< as the log was told
   diagnostic_updater::Updater updater_;
   ros::SteadyTimer timer_;
 };

@@ -91,7 +91,7 @@ std::vector<Panel> findPanels(const Sheet& sheet) {
 }
 
 bool isPaperFrame(const std::string& frame, const std::string& prefix) {
-  if (frame == prefix + "paper") return true;
+  if (frame == prefix + "paper" || frame == prefix + kViewFrame) return true;
   const std::string panel = prefix + "panel_";
   return frame.size() > panel.size() && frame.compare(0, panel.size(), panel) == 0 &&
          std::all_of(frame.begin() + static_cast<std::ptrdiff_t>(panel.size()), frame.end(),
@@ -118,6 +118,11 @@ std::vector<geometry_msgs::TransformStamped> paperFrames(const Sheet& sheet,
         frame(paper.inverse() * panel, prefix + "panel_" + std::to_string(i), on_paper));
   }
   return frames;
+}
+
+geometry_msgs::TransformStamped viewFrame(const Vector3& target, const std_msgs::Header& header,
+                                          const std::string& prefix) {
+  return frame(Eigen::Isometry3d(Eigen::Translation3d(target)), prefix + kViewFrame, header);
 }
 
 }  // namespace shell_origami

@@ -18,11 +18,13 @@ struct Panel {
   Vector2 centroid;  ///< on the flat sheet [m]
 };
 
+constexpr char kViewFrame[] = "paper_view";
+
 /// In the order of each panel's first triangle.
 std::vector<Panel> findPanels(const Sheet& sheet);
 
 /// Whether paper whose frames begin with `prefix` has or may come to have a frame of this name:
-/// paper, or panel_<n>.
+/// paper, panel_<n>, or paper_view.
 bool isPaperFrame(const std::string& frame, const std::string& prefix);
 
 /// Frames of the paper at `positions`, stamped and rooted as the header says, their names beginning
@@ -34,5 +36,9 @@ std::vector<geometry_msgs::TransformStamped> paperFrames(const Sheet& sheet,
                                                          const Positions& positions,
                                                          const std_msgs::Header& header,
                                                          const std::string& prefix);
+
+/// The frame that cameras look at, parallel to the world.
+geometry_msgs::TransformStamped viewFrame(const Vector3& target, const std_msgs::Header& header,
+                                          const std::string& prefix);
 
 }  // namespace shell_origami

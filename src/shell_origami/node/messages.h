@@ -1,6 +1,6 @@
 /// \file
 /// The package's messages as msg::Sheet, msg::Fold and so on. catkin generates them straight into
-/// namespace shell_origami, where Sheet, Crease and Edit are words of the core, so this is
+/// namespace shell_origami, where Sheet, Crease, Edit and View are words of the core, so this is
 /// the only file that includes them.
 #pragma once
 
@@ -12,6 +12,7 @@
 #define Sheet SheetMessage
 #define Crease CreaseMessage
 #define Edit EditMessage
+#define View ViewMessage
 #include <shell_origami/AddVertex.h>
 #include <shell_origami/Edit.h>
 #include <shell_origami/Energy.h>
@@ -25,6 +26,8 @@
 #include <shell_origami/SheetState.h>
 #include <shell_origami/Step.h>
 #include <shell_origami/Unpin.h>
+#include <shell_origami/View.h>
+#undef View
 #undef Edit
 #undef Crease
 #undef Sheet
@@ -35,6 +38,7 @@ namespace msg {
 using Crease = CreaseMessage;
 using Edit = EditMessage;
 using Sheet = SheetMessage;
+using View = ViewMessage;
 using ::shell_origami::CreaseState;
 using ::shell_origami::Energy;
 using ::shell_origami::FoldRecipeAction;

@@ -17,10 +17,8 @@ namespace {
 
 /// How often a paused paper is published, for whoever came late and to keep its frames alive [s].
 constexpr double kIdlePeriod = 0.5;
-/// How often to look whether someone records by now [s].
+/// How often to look whether the start may be over [s].
 constexpr double kWaitPeriod = 0.02;
-/// How long a node waits for a recorder before it ends [s].
-constexpr double kLongestWait = 20;
 /// How many requests may be at work in the background after they were ended.
 constexpr std::size_t kMostEnding = 4;
 /// How long a recorder takes from subscribing to listening [s].
@@ -67,15 +65,17 @@ OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
       run_(beginRun(config, checkpoint_)),
       clock_(makeStepClock(node, config)),
       publishers_(node, config, [this] { return wholePaper(); }),
-      waiting_(config.wait_for_recorder && !run_.paused) {
+      start_wait_(config),
+      waiting_(start_wait_.wanted() && !run_.paused) {
   run_.session.setListener(this);
   run_.paused = run_.paused || waiting_;
   const Sheet& sheet = run_.session.simulation().sheet();
   ROS_INFO("a sheet of %d vertices and %zu triangles is ready%s", sheet.vertexCount(),
            sheet.triangles().size(),
-           waiting_      ? ", and waits for a recorder; ~resume starts without"
+           waiting_ ? (", and waits for " + start_wait_.what() + "; ~resume starts without").c_str()
            : run_.paused ? ", paused"
                          : "");
+  publishView(run_.recipe ? &run_.recipe->recipe() : nullptr);
 }
 
 void OrigamiNode::spin() {
@@ -83,7 +83,7 @@ void OrigamiNode::spin() {
   while (ros::ok() && !ros::isShuttingDown()) {
     const double wait = std::clamp(untilNextStep(), 0.0, kIdlePeriod);
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(publishDue() ? 0 : wait));
-    if (waiting_) awaitRecorder();
+    if (waiting_ && start_wait_.over(publishers_)) startWatched();
     forgetEnded();
     if (loading_ && loading_->done()) {
       finishLoading();
@@ -106,31 +106,20 @@ double OrigamiNode::untilNextStep() {
   return clock_->wait(run_.session.time(), run_.session.simulation().config().solver.time_step);
 }
 
-/// A recorder that did not start is not waited for in silence for ever.
-void OrigamiNode::awaitRecorder() {
-  if (publishers_.recorded()) {
-    startRecorded();
-  } else if ((ros::SteadyTime::now() - begin_).toSec() > kLongestWait) {
-    reject(
-        "parameter ~wait_for_recorder is true, but nobody has listened to all of ~sheet, ~state ",
-        "and ~edits for ", kLongestWait, " s");
-  }
-}
-
-/// The recording begins with the paper as it lies there. rosbag listens a moment after it has
+/// A recording begins with the paper as it lies there. rosbag listens a moment after it has
 /// subscribed.
-void OrigamiNode::startRecorded() {
+void OrigamiNode::startWatched() {
   changed_ = true;
   if (publishDue()) publish();
-  ros::WallDuration(kRecorderStart).sleep();
+  if (config_.wait_for_recorder) ros::WallDuration(kRecorderStart).sleep();
   resume();
 }
 
 void OrigamiNode::configure(const NodeConfig& config) {
   config_.publish_rate = config.publish_rate;
-  config_.vertex_ids = config.vertex_ids;
+  config_.labels = config.labels;
   config_.real_time_factor = config.real_time_factor;
-  publishers_.showVertexIds(config.vertex_ids);
+  publishers_.choose(config.labels);
   clock_->setFactor(config.real_time_factor, run_.session.time());
   changed_ = true;
 }
@@ -314,8 +303,16 @@ void OrigamiNode::cancelRecipe(const std::string& why) {
 void OrigamiNode::startRecipe(Recipe recipe, const std::string& path,
                               RecipeRun::Listener listener) {
   if (recipe.states("sheet")) replacePaper(makeSimulation(recipe.sheet, recipe.config), path);
+  const bool turns = (recipe.states("sheet") || recipe.states("view")) && publishView(&recipe) &&
+                     start_wait_.waitForTurn(publishers_);
   run_.recipe.emplace(std::move(recipe), "", std::move(listener));
-  if (!waiting_) resume();
+  if (waiting_) return;
+  if (turns) {
+    halt();
+    waiting_ = true;
+  } else {
+    resume();
+  }
 }
 
 void OrigamiNode::stop(const std::string& reason) {
@@ -340,6 +337,7 @@ void OrigamiNode::finishLoading() {
   const std::unique_ptr<LongLoad> ended = std::move(loading_);
   try {
     replacePaper(ended->finish(), ended->path());
+    publishView(nullptr);
     const Sheet& sheet = run_.session.simulation().sheet();
     msg::Load::Response answer;
     answer.vertices = static_cast<std::uint32_t>(sheet.vertexCount());
@@ -374,11 +372,13 @@ void OrigamiNode::onEdit(const EditRecord& record) {
 void OrigamiNode::onLoad(const std::string& path) {
   clock_->hold(run_.session.time());  // it may have taken long
   step_ = {};
+  publishers_.lookAnew();
   publishPaper(msg::Edit::LOAD, path);
 }
 
 void OrigamiNode::onReset() {
   step_ = {};
+  publishers_.lookAnew();
   publishPaper(msg::Edit::RESET);
 }
 
@@ -434,6 +434,11 @@ void OrigamiNode::publish() {
   last_publish_ = wall;
   last_stamp_ = stamp;
   changed_ = false;
+}
+
+bool OrigamiNode::publishView(const Recipe* recipe) {
+  const double size = run_.session.simulation().sheet().size();
+  return publishers_.publishView(viewOf(recipe, size), stamp());
 }
 
 }  // namespace shell_origami

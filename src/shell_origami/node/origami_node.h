@@ -8,6 +8,7 @@
 #include <shell_origami/node/publishers.h>
 #include <shell_origami/node/recipe_run.h>
 #include <shell_origami/node/session.h>
+#include <shell_origami/node/start_wait.h>
 #include <shell_origami/node/step_clock.h>
 
 #include <cstdint>
@@ -35,7 +36,7 @@ class OrigamiNode : private SessionListener {
   const Session& session() const { return run_.session; }
   /// Session::apply(), published on ~edits.
   EditRecord apply(const Edit& edit) { return run_.session.apply(edit); }
-  /// Takes over what may change while the node runs: publish_rate, vertex_ids, real_time_factor.
+  /// Takes over what may change while the node runs: publish_rate, labels, real_time_factor.
   void configure(const NodeConfig& config);
   /// Of the paper as it is now. Zero: there is no ROS time yet.
   ros::Time stamp();
@@ -105,13 +106,13 @@ class OrigamiNode : private SessionListener {
   void endLoading(const std::string& why);
   bool continueRecipe();
   void endRecipe(const std::string& why = "");
-  void awaitRecorder();
-  void startRecorded();
+  void startWatched();
   void stop(const std::string& reason);
   double untilNextStep();
   bool publishDue();
   bool movingDue();
   void publish();
+  bool publishView(const Recipe* recipe);
 
   NodeConfig config_;
   Checkpoint checkpoint_;
@@ -125,8 +126,8 @@ class OrigamiNode : private SessionListener {
   std::unique_ptr<LongLoad> loading_;
   std::vector<std::unique_ptr<Background>> ending_;  ///< given up, but still at work
   StepReport step_;                                  ///< the last one
-  bool waiting_;                                     ///< paused only until someone records
-  ros::SteadyTime begin_ = ros::SteadyTime::now();   ///< when it began to wait
+  StartWait start_wait_;
+  bool waiting_;         ///< paused only until start_wait_ is over
   bool changed_ = true;  ///< by a request, since the last time the paper was published
   ros::Time next_publish_;
   ros::SteadyTime last_publish_;

@@ -25,6 +25,10 @@ std::function<Place(NodeConfig&)> at(Value NodeConfig::*member) {
   return [member](NodeConfig& config) { return Place(&(config.*member)); };
 }
 
+std::function<Place(NodeConfig&)> label(bool LabelChoice::*member) {
+  return [member](NodeConfig& config) { return Place(&(config.labels.*member)); };
+}
+
 Place coloring(NodeConfig& config) { return Choice(coloringNames(), config.colouring); }
 
 Place clock(NodeConfig& config) { return Choice(clockNames(), config.clock); }
@@ -45,6 +49,8 @@ ParameterTable<NodeConfig> makeTable() {
        {"wait_for_recorder", at(&Config::wait_for_recorder),
         "whether to start only once `~sheet`, `~state` and `~edits` are heard, within 20 s", "",
         kUnbounded},
+       {"wait_for_viewer", at(&Config::wait_for_viewer),
+        "how long the start waits until somebody hears `~markers`; 0: not", "s", between(0, 1e6)},
        {"checkpoint/file", at(&Config::checkpoint), "to go on from and to keep; empty: none", "",
         kUnbounded},
        {"checkpoint/period", at(&Config::checkpoint_period),
@@ -59,8 +65,10 @@ ParameterTable<NodeConfig> makeTable() {
        {"world_frame", at(&Config::world_frame), "frame of the positions", "", kUnbounded},
        {"frame_prefix", at(&Config::frame_prefix),
         "with which the names of `paper` and `panel_<n>` begin", "", kUnbounded},
-       {"vertex_ids", at(&Config::vertex_ids), "whether `~markers` shows the vertices' numbers", "",
-        kUnbounded, kLive},
+       {"vertex_ids", label(&LabelChoice::vertex_ids),
+        "whether `~markers` shows the vertices' numbers", "", kUnbounded, kLive},
+       {"crease_labels", label(&LabelChoice::crease_labels),
+        "whether `~markers` shows the creases' names and angles", "", kUnbounded, kLive},
        {"colouring", coloring, "what the colors of `~markers` tell", "", kUnbounded},
        {"clock", clock, "how simulated time runs", "", kUnbounded},
        {"real_time_factor", at(&Config::real_time_factor),

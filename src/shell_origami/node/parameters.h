@@ -3,6 +3,7 @@
 #pragma once
 
 #include <shell_origami/node/draw/coloring.h>
+#include <shell_origami/node/draw/labels.h>
 #include <shell_origami/origami/parameter_table.h>
 
 #include <ros/node_handle.h>
@@ -23,6 +24,7 @@ struct NodeConfig {
   std::string output;   ///< folder for the results of the recipe; empty: none are written
   bool paused = false;  ///< whether the node starts paused
   bool wait_for_recorder = false;  ///< whether to start once ~sheet, ~state, ~edits are heard
+  double wait_for_viewer = 0;      ///< how long to wait at the start for ~markers to be heard [s]
   double publish_rate = 30;        ///< [Hz]
   std::string checkpoint;          ///< file to go on from and to keep; empty: none
   double checkpoint_period = 10;   ///< [s] of wall time
@@ -30,7 +32,7 @@ struct NodeConfig {
   bool watch_master = false;       ///< whether to register again with a master that is restarted
   std::string world_frame = "world";
   std::string frame_prefix;  ///< with which the names of the paper's own frames begin
-  bool vertex_ids = false;   ///< whether the markers show the vertices' numbers
+  LabelChoice labels;        ///< what the markers write on demand
   Coloring colouring = Coloring::kPaper;
   ClockMode clock = ClockMode::kFollow;
   double real_time_factor = 1;  ///< simulated over elapsed time, lead only; 0: as fast as it can

@@ -16,11 +16,11 @@ Publishers::Publishers(ros::NodeHandle& node, const NodeConfig& config,
                        std::function<msg::Edit()> whole_paper)
     : world_frame_(config.world_frame),
       frame_prefix_(config.frame_prefix),
-      painter_(config.vertex_ids, config.colouring),
       sheet_(node.advertise<msg::Sheet>("sheet", 10, true)),
       state_(node.advertise<msg::SheetState>("state", 100)),
       energy_(node.advertise<msg::Energy>("energy", 100)),
-      markers_(node.advertise<visualization_msgs::MarkerArray>("markers", 5)),
+      markers_(node, {config.labels, config.colouring}),
+      view_(node.advertise<msg::View>("view", 1, true)),
       node_(node) {
   const auto send_paper = [whole_paper](const ros::SingleSubscriberPublisher& subscriber) {
     subscriber.publish(whole_paper());
@@ -43,11 +43,11 @@ bool Publishers::recorded() const {
 void Publishers::publish(const Session& session, bool paused, const StepReport& step,
                          double real_time_factor, const ros::Time& stamp) {
   if (revision_ != session.revision()) publishSheet(session, stamp);
-  const bool draw = markers_.getNumSubscribers() > 0;
+  const bool draw = markers_.heard();
   if (draw || state_.getNumSubscribers() > 0) {
     const msg::SheetState state = stateMessage(session, paused, header(stamp));
     state_.publish(state);
-    if (draw) markers_.publish(painter_.draw(state));
+    if (draw) markers_.publish(state);
   }
   if (energy_.getNumSubscribers() > 0) {
     energy_.publish(energyMessage(session, step, real_time_factor, header(stamp)));
@@ -59,7 +59,7 @@ void Publishers::publish(const Session& session, bool paused, const StepReport& 
 void Publishers::publishSheet(const Session& session, const ros::Time& stamp) {
   const msg::Sheet message = sheetMessage(session, header(stamp));
   sheet_.publish(message);
-  painter_.setSheet(message);
+  markers_.setSheet(message);
   panels_ = findPanels(session.simulation().sheet());
   revision_ = session.revision();
 }
@@ -68,8 +68,11 @@ void Publishers::publishFrames(const Session& session, const ros::Time& stamp) {
   if (stamp == frames_stamp_) return;  // tf2 warns of repeated stamps
   frames_stamp_ = stamp;
   const Simulation& simulation = session.simulation();
-  broadcaster_.sendTransform(paperFrames(simulation.sheet(), panels_, simulation.positions(),
-                                         header(stamp), frame_prefix_));
+  const Positions& positions = simulation.positions();
+  auto frames = paperFrames(simulation.sheet(), panels_, positions, header(stamp), frame_prefix_);
+  const Vector3& target = camera_target_.follow(positions, markers_.painter().size());
+  frames.push_back(viewFrame(target, header(stamp), frame_prefix_));
+  broadcaster_.sendTransform(frames);
 }
 
 namespace {
@@ -115,6 +118,19 @@ void Publishers::advertiseWrench(const std::string& frame) {
 void Publishers::publishEdit(msg::Edit edit, const ros::Time& stamp) {
   edit.header = header(stamp);
   edit_.publish(edit);
+}
+
+bool Publishers::publishView(const View& view, const ros::Time& stamp) {
+  if (published_view_ && same(view, *published_view_)) return false;
+  published_view_ = view;
+  msg::View message;
+  message.header = header(stamp);
+  message.target_frame = frame_prefix_ + kViewFrame;
+  message.yaw = view.yaw;
+  message.pitch = view.pitch;
+  message.distance = view.distance;
+  view_.publish(message);
+  return true;
 }
 
 }  // namespace shell_origami

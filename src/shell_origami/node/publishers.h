@@ -2,10 +2,11 @@
 /// Every topic the node publishes, but /clock.
 #pragma once
 
-#include <shell_origami/node/draw/markers.h>
+#include <shell_origami/node/draw/marker_publisher.h>
 #include <shell_origami/node/frames.h>
 #include <shell_origami/node/parameters.h>
 #include <shell_origami/node/session.h>
+#include <shell_origami/node/view.h>
 
 #include <tf2_ros/transform_broadcaster.h>
 
@@ -30,10 +31,19 @@ class Publishers {
   void publishEdit(msg::Edit edit, const ros::Time& stamp);
   bool editsHeard() const { return edit_.getNumSubscribers() > 0; }
 
-  void showVertexIds(bool shown) { painter_.showVertexIds(shown); }
+  void choose(const LabelChoice& labels) { markers_.choose(labels); }
+
+  /// Where a camera is to stand that looks at the paper. Returns false where it stands there.
+  bool publishView(const View& view, const ros::Time& stamp);
+  /// Another paper has taken the place of the one before.
+  void lookAnew() { camera_target_.forget(); }
 
   /// Whether someone listens to all that a recording needs.
   bool recorded() const;
+  /// Since when someone shows the paper; zero: nobody does.
+  ros::SteadyTime viewedSince() const { return markers_.heardSince(); }
+  /// Whether someone aims a camera by publishView().
+  bool aimed() const { return view_.getNumSubscribers() > 0; }
 
  private:
   std_msgs::Header header(const ros::Time& stamp) const;
@@ -43,16 +53,18 @@ class Publishers {
   void advertiseWrench(const std::string& frame);
 
   std::string world_frame_, frame_prefix_;
-  MarkerPainter painter_;
   std::optional<std::uint32_t> revision_;  ///< of the sheet last published
   std::vector<Panel> panels_;              ///< of that sheet
+  CameraTarget camera_target_;
+  std::optional<View> published_view_;
   ros::Time frames_stamp_;
 
   ros::Publisher sheet_;
   ros::Publisher state_;
   ros::Publisher energy_;
-  ros::Publisher markers_;
+  MarkerPublisher markers_;
   ros::Publisher edit_;
+  ros::Publisher view_;
   ros::NodeHandle node_;
   std::map<std::string, ros::Publisher> wrenches_;  ///< by the names of frames that hold paper
   tf2_ros::TransformBroadcaster broadcaster_;

@@ -50,6 +50,8 @@ class Session {
   void reset();
 
   const Simulation& simulation() const { return simulation_; }
+  /// The paper as it was loaded.
+  const Snapshot& original() const { return original_; }
 
   double time() const { return time_before_ + simulation_.time(); }  ///< [s]
   Counters counters() const;                                         ///< over every paper so far

@@ -1,5 +1,8 @@
 #include <shell_origami/node/draw/markers.h>
 
+#include <shell_origami/node/draw/ground.h>
+#include <shell_origami/node/draw/marker.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,19 +15,15 @@ using Points = Eigen::Matrix3Xd;
 
 const std_msgs::ColorRGBA kBorder = color(0.22, 0.16, 0.14);
 const std_msgs::ColorRGBA kPin = color(0.10, 0.55, 0.25);
-const std_msgs::ColorRGBA kVertexId = color(0.10, 0.10, 0.10);
 
 /// Distance of a side from the middle of the paper, over its size: rviz tells the sides apart, and
 /// folded layers do not mix.
 constexpr double kGap = 1.0 / 4000;
-/// Height of a vertex's number and how far it hovers above the front, over the paper's size.
-constexpr double kVertexIdHeight = 1.0 / 60;
 
 /// The colour of a face by how it looks at the light. rviz's own light would leave the sides that
 /// look away from it all but black.
 std_msgs::ColorRGBA shaded(const std_msgs::ColorRGBA& paper, const Eigen::Vector3d& normal) {
-  static const Eigen::Vector3d kLight = Eigen::Vector3d(0.35, -0.25, 0.9).normalized();
-  const double s = 0.78 + 0.22 * normal.dot(kLight);
+  const double s = 0.78 + 0.22 * normal.dot(lightDirection());
   return color(s * paper.r, s * paper.g, s * paper.b);
 }
 
@@ -33,14 +32,6 @@ std_msgs::ColorRGBA creaseColor(double angle) {
   const std_msgs::ColorRGBA full = angle < 0 ? color(0.55, 0.0, 0.10) : color(0.05, 0.15, 0.85);
   const std_msgs::ColorRGBA flat = color(0.62, 0.58, 0.56);
   return mixed(flat, full, std::min(1.0, 0.5 + 0.5 * std::abs(angle) / M_PI));
-}
-
-geometry_msgs::Point point(const Eigen::Vector3d& p) {
-  geometry_msgs::Point result;
-  result.x = p.x();
-  result.y = p.y();
-  result.z = p.z();
-  return result;
 }
 
 /// Normal of a triangle, twice its area long.
@@ -63,23 +54,6 @@ bool allVerticesExist(const msg::Sheet& sheet) {
                      [&](const auto& t) { return allBelow(t.vertex_indices, count); }) &&
          std::all_of(sheet.creases.begin(), sheet.creases.end(),
                      [&](const auto& c) { return allBelow(c.vertices, count); });
-}
-
-/// An empty marker deletes the one it would replace, since rviz warns of lists without points.
-Marker finished(Marker marker) {
-  if (marker.points.empty()) marker.action = Marker::DELETE;
-  return marker;
-}
-
-Marker newMarker(const std::string& name, int type, const std_msgs::Header& header) {
-  Marker marker;
-  marker.header = header;
-  marker.ns = name;
-  marker.type = type;
-  marker.action = Marker::ADD;
-  marker.pose.orientation.w = 1;
-  marker.scale.x = marker.scale.y = marker.scale.z = 1;
-  return marker;
 }
 
 }  // namespace
@@ -133,7 +107,9 @@ visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state
   array.markers.push_back(creases(tops, state));
   array.markers.push_back(border(tops));
   array.markers.push_back(pins(middle, state));
-  addVertexIds(middle + kVertexIdHeight * size_ * normal, array);
+  array.markers.push_back(shadow(middle, sheet_, header_));
+  array.markers.push_back(groundGrid(middle, size_, sheet_.ground, header_));
+  labels_.draw(sheet_, state, middle, normal, size_, array);
   return array;
 }
 
@@ -166,7 +142,7 @@ MarkerPainter::Marker MarkerPainter::side(bool front, const Points& middle, cons
                                   : shaded(colours[i].back, -normal));
     for (const int k : {0, front ? 1 : 2, front ? 2 : 1}) {
       const Eigen::Vector3d lift = on_crease_[v[k]] ? normal : normals.col(v[k]);
-      marker.points.push_back(point(middle.col(v[k]) + gap * lift));
+      marker.points.push_back(markerPoint(middle.col(v[k]) + gap * lift));
     }
   }
   return finished(marker);
@@ -180,8 +156,8 @@ MarkerPainter::Marker MarkerPainter::creases(const std::vector<Points>& sides,
     const std::vector<std::uint32_t>& line = sheet_.creases[c].vertices;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       for (const Points& points : sides) {
-        marker.points.push_back(point(points.col(line[i])));
-        marker.points.push_back(point(points.col(line[i + 1])));
+        marker.points.push_back(markerPoint(points.col(line[i])));
+        marker.points.push_back(markerPoint(points.col(line[i + 1])));
       }
     }
     marker.colors.resize(marker.points.size(), creaseColor(state.creases[c].angle));
@@ -195,8 +171,8 @@ MarkerPainter::Marker MarkerPainter::border(const std::vector<Points>& sides) co
   marker.color = kBorder;
   for (const auto& [a, b] : border_) {
     for (const Points& points : sides) {
-      marker.points.push_back(point(points.col(a)));
-      marker.points.push_back(point(points.col(b)));
+      marker.points.push_back(markerPoint(points.col(a)));
+      marker.points.push_back(markerPoint(points.col(b)));
     }
   }
   return finished(marker);
@@ -207,26 +183,8 @@ MarkerPainter::Marker MarkerPainter::pins(const Points& points,
   Marker marker = newMarker("pins", Marker::SPHERE_LIST, header_);
   marker.scale.x = marker.scale.y = marker.scale.z = size_ / 50;
   marker.color = kPin;
-  for (const std::uint32_t v : state.pinned) marker.points.push_back(point(points.col(v)));
+  for (const std::uint32_t v : state.pinned) marker.points.push_back(markerPoint(points.col(v)));
   return finished(marker);
-}
-
-void MarkerPainter::addVertexIds(const Points& points, visualization_msgs::MarkerArray& array) {
-  const std::size_t wanted = vertex_ids_ ? static_cast<std::size_t>(points.cols()) : 0;
-  for (std::size_t i = 0; i < std::max(wanted, numbered_); ++i) {
-    Marker marker = newMarker("vertex_ids", Marker::TEXT_VIEW_FACING, header_);
-    marker.id = static_cast<int>(i);
-    if (i < wanted) {
-      marker.pose.position = point(points.col(static_cast<Eigen::Index>(i)));
-      marker.scale.z = kVertexIdHeight * size_;
-      marker.color = kVertexId;
-      marker.text = std::to_string(i);
-    } else {
-      marker.action = Marker::DELETE;
-    }
-    array.markers.push_back(marker);
-  }
-  numbered_ = wanted;
 }
 
 }  // namespace shell_origami

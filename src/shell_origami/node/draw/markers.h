@@ -3,6 +3,7 @@
 #pragma once
 
 #include <shell_origami/node/draw/coloring.h>
+#include <shell_origami/node/draw/labels.h>
 #include <shell_origami/node/messages.h>
 
 #include <visualization_msgs/MarkerArray.h>
@@ -18,14 +19,16 @@ namespace shell_origami {
 /// ids stay the same from one drawing to the next.
 class MarkerPainter {
  public:
-  MarkerPainter(bool vertex_ids, Coloring colouring)
-      : vertex_ids_(vertex_ids), colours_(colouring) {}
+  MarkerPainter(const LabelChoice& labels, Coloring colouring)
+      : labels_(labels), colours_(colouring) {}
 
-  void showVertexIds(bool shown) { vertex_ids_ = shown; }
+  void choose(const LabelChoice& labels) { labels_.choose(labels); }
   /// A sheet that names vertices it does not have is taken for none.
   void setSheet(const msg::Sheet& sheet);
   /// Whether the state belongs to the sheet that was set.
   bool fits(const msg::SheetState& state) const;
+  /// Of the flat sheet [m].
+  double size() const { return size_; }
   /// \pre fits(state)
   visualization_msgs::MarkerArray draw(const msg::SheetState& state);
 
@@ -38,11 +41,9 @@ class MarkerPainter {
   Marker creases(const std::vector<Points>& sides, const msg::SheetState& state) const;
   Marker border(const std::vector<Points>& sides) const;
   Marker pins(const Points& points, const msg::SheetState& state) const;
-  void addVertexIds(const Points& points, visualization_msgs::MarkerArray& array);
   Points normals(const Points& points) const;
 
-  bool vertex_ids_;
-  std::size_t numbered_ = 0;  ///< vertices whose number rviz shows
+  Labels labels_;
   msg::Sheet sheet_;
   SheetColours colours_;
   std_msgs::Header header_;  ///< of the markers; without a sequence number, which live differs

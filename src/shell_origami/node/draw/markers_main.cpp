@@ -1,7 +1,7 @@
 /// \file
 /// Draws a recorded run: from the messages Sheet and SheetState, exactly as the live node does.
 
-#include <shell_origami/node/draw/markers.h>
+#include <shell_origami/node/draw/marker_publisher.h>
 #include <shell_origami/node/parameter_reader.h>
 
 #include <csignal>
@@ -10,7 +10,7 @@ namespace {
 
 struct Parameters {
   std::string origami = "origami";  ///< the node that was recorded
-  bool vertex_ids = false;
+  shell_origami::LabelChoice labels;
   shell_origami::Coloring colouring = shell_origami::Coloring::kPaper;
 };
 
@@ -19,7 +19,8 @@ Parameters loadParameters(const ros::NodeHandle& node) {
   shell_origami::ParameterReader reader(node);
   Parameters parameters;
   reader.read("origami", &parameters.origami);
-  reader.read("vertex_ids", &parameters.vertex_ids);
+  reader.read("vertex_ids", &parameters.labels.vertex_ids);
+  reader.read("crease_labels", &parameters.labels.crease_labels);
   reader.read("colouring",
               shell_origami::Choice(shell_origami::coloringNames(), parameters.colouring));
   reader.rejectUnread();
@@ -29,23 +30,20 @@ Parameters loadParameters(const ros::NodeHandle& node) {
 class MarkersNode {
  public:
   explicit MarkersNode(const Parameters& parameters)
-      : painter_(parameters.vertex_ids, parameters.colouring),
-        recorded_(parameters.origami),
-        markers_(recorded_.advertise<visualization_msgs::MarkerArray>("markers", 5)),
+      : recorded_(parameters.origami),
+        markers_(recorded_, {parameters.labels, parameters.colouring}),
         sheet_(recorded_.subscribe("sheet", 10, &MarkersNode::onSheet, this)),
         state_(recorded_.subscribe("state", 10, &MarkersNode::onState, this)) {}
 
  private:
-  void onSheet(const shell_origami::msg::Sheet::ConstPtr& sheet) { painter_.setSheet(*sheet); }
+  void onSheet(const shell_origami::msg::Sheet::ConstPtr& sheet) { markers_.setSheet(*sheet); }
 
   void onState(const shell_origami::msg::SheetState::ConstPtr& state) {
-    if (markers_.getNumSubscribers() == 0 || !painter_.fits(*state)) return;
-    markers_.publish(painter_.draw(*state));
+    if (markers_.heard() && markers_.painter().fits(*state)) markers_.publish(*state);
   }
 
-  shell_origami::MarkerPainter painter_;
   ros::NodeHandle recorded_;
-  ros::Publisher markers_;
+  shell_origami::MarkerPublisher markers_;
   ros::Subscriber sheet_;
   ros::Subscriber state_;
 };

@@ -1,0 +1,25 @@
+/// \file
+/// The ground below the paper, which tells up from down.
+#pragma once
+
+#include <shell_origami/node/messages.h>
+
+#include <visualization_msgs/Marker.h>
+
+#include <Eigen/Core>
+
+namespace shell_origami {
+
+/// Height of the ground for paper that is loaded with these positions (a column each) [m]: below
+/// what a sheet of this size reaches when it folds about its middle.
+double groundBelow(const Eigen::Matrix3Xd& positions, double size);
+
+/// Lines at whole multiples of the spacing (1, 2 or 5 of a decimal place), around the paper.
+visualization_msgs::Marker groundGrid(const Eigen::Matrix3Xd& positions, double size, double ground,
+                                      const std_msgs::Header& header);
+
+/// What of the paper is above the ground, as the light casts it there.
+visualization_msgs::Marker shadow(const Eigen::Matrix3Xd& positions, const msg::Sheet& sheet,
+                                  const std_msgs::Header& header);
+
+}  // namespace shell_origami

@@ -1,0 +1,41 @@
+/// \file
+/// What is written beside the drawn paper.
+#pragma once
+
+#include <shell_origami/node/messages.h>
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace shell_origami {
+
+/// What is written on demand.
+struct LabelChoice {
+  bool vertex_ids = false;     ///< the number of each vertex
+  bool crease_labels = false;  ///< name and angle of each crease
+};
+
+/// Writes, and deletes what is not to be seen any longer.
+class Labels {
+ public:
+  explicit Labels(const LabelChoice& choice) : choice_(choice) {}
+
+  void choose(const LabelChoice& choice) { choice_ = choice; }
+
+  /// Appends the numbers of vertices, the names and angles of creases, and a warning where the
+  /// paper is stretched further than paper bears.
+  /// \param points, normals  of the paper, a column a vertex
+  /// \param size             of the flat sheet [m]
+  void draw(const msg::Sheet& sheet, const msg::SheetState& state, const Eigen::Matrix3Xd& points,
+            const Eigen::Matrix3Xd& normals, double size, visualization_msgs::MarkerArray& array);
+
+ private:
+  LabelChoice choice_;
+  std::size_t vertices_ = 0;  ///< how many have a number in rviz
+  std::size_t creases_ = 0;   ///< how many have a label in rviz
+};
+
+}  // namespace shell_origami
