@@ -38,9 +38,12 @@ class DeafSubscriber(object):
 
 
 class DeafSubscriberTest(NodeTest):
+    pinned = False
+
     def publish(self):
-        """Steps of a paper at rest cost next to nothing. Each is published."""
-        self.origami.do('pin', vertices=[0])
+        """Steps of a paper at rest cost next to nothing. Each is published, and the pin is drawn or gone."""
+        self.pinned = not self.pinned
+        self.origami.do('pin' if self.pinned else 'unpin', vertices=[0])
         time = self.origami.do('step', steps=STEPS).time
         self.origami.states.wait(lambda state: abs(state.header.stamp.to_sec() - time) < 1e-6)
         heard = self.origami.states.all()

@@ -63,7 +63,7 @@ REFUSALS = [
     ('fold', dict(line=DIAGONAL, angle=1, duration=INF), ['duration', 'inf']),
     ('fold', dict(line=DIAGONAL, angle=1, stiffness=-0.1), ['stiffness', '-0.1']),
     ('fold', dict(line=DIAGONAL, angle=1, stiffness=INF), ['stiffness', 'inf']),
-    ('fold', dict(line=DIAGONAL, angle=1, stiffness=1e-320), ['stiffness', 'e-321', '1e-09']),
+    ('fold', dict(line=DIAGONAL, angle=1, stiffness=1e-320), ['stiffness', 'e-321', '1e-9']),
     ('pin', dict(), ['vertices', 'points', 'region', 'center', 'none']),
     ('pin', dict(vertices=[0], points=[Point(0, 0, 0)]), ['vertices and points']),
     ('pin', dict(points=[Point(0, 0, 0)], center=ball(''), radius=0.1),

@@ -103,7 +103,7 @@ class ResimulateTest(NodeTest):
         done = re.search(r'(\d+) states over', answer.stdout)
         # But for those that came before the whole paper.
         self.assertGreater(int(done.group(1)), states - 10, answer.stdout)
-        self.assertGreater(states, 60)
+        self.assertGreater(states, 40)  # 25 of ~step, the others at the publishing rate
 
         def push(topic, message):
             if topic == '/origami/state' and message.step == last:
