@@ -401,7 +401,9 @@ TEST(Simulation, AfterAFoldOrAStepInPartsTheSolverLooksAgain) {
   Snapshot trusting = folded.snapshot();
   trusting.solver = {1e-6, 2};
   Simulation unfolding(trusting), yanked(trusting);
-  unfolding.fold({CreaseName{folded.creases()[0].name}, -1.0});
+  FoldEdit back = diagonal(-1);
+  back.where = CreaseName{folded.creases()[0].name};
+  unfolding.fold(back);
   EXPECT_EQ(unfolding.snapshot().solver.contraction, 1);
   EXPECT_EQ(unfolding.snapshot().solver.unchecked, 0);
 
