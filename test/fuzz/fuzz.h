@@ -9,8 +9,9 @@ namespace shell_origami {
 bool fuzzFolds(int folds, unsigned seed);
 
 /// Random recipes: folds up to 175 degrees within no time to a second, materials over three
-/// decades, pins, gravity. True when paper stayed whole throughout; a step that does not hold
-/// must leave it so too, and say why.
+/// decades, pins, gravity. True when paper stayed whole throughout and came to rest where nothing
+/// moves it; a step that does not converge must leave it whole too, and give a reason. So must an
+/// edit that is rejected, one in fifty recipes at most.
 bool fuzzRecipes(int recipes, unsigned seed);
 
 /// FOLD files that are random changes of the patterns in test/data and recipes/, and snapshots that
