@@ -39,7 +39,7 @@ void expectWithin(const std::string& message, const std::string& part) {
 TEST(SmallFeatures, aVertexTooCloseToAnEndIsRejected) {
   Simulation paper = square();
   const Edge edge = paper.sheet().edges()[100];
-  const auto [a, b] = edge.vertices;
+  const int a = edge.vertices[0], b = edge.vertices[1];
   for (const double fraction : {1e-12, 1e-9, 1e-6, 0.999999, 0.9999999999999999}) {
     expectWithin(rejection([&] { paper.addVertex(a, b, fraction); }), "the shortest possible is");
   }
