@@ -79,6 +79,9 @@ class CheckpointTest(unittest.TestCase):
         node = self.start(*parameters)
         self.wait_for(lambda s: s.creases and 0.4 < s.creases[0].angle < 1.2)
         self.wait_for_checkpoint()
+        # Steps beyond the checkpoint, which are to be taken again.
+        saved = self.states.all()[-1].step
+        self.wait_for(lambda s: s.step > saved + 5)
         node.end(signal.SIGKILL)
         before = {(s.edits, s.step): s for s in self.states.all()}
         last = max(step for _, step in before)
