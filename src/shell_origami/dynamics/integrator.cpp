@@ -6,6 +6,10 @@
 
 namespace shell_origami {
 
+double kineticEnergy(const Positions& velocities, const Eigen::VectorXd& masses) {
+  return velocities.colwise().squaredNorm().dot(masses.transpose()) / 2;
+}
+
 const std::map<std::string, IntegratorKind>& integratorNames() {
   static const std::map<std::string, IntegratorKind> names{
       {"newmark", IntegratorKind::kNewmark},

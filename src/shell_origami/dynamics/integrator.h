@@ -21,6 +21,10 @@ struct Motion {
       1;  ///< part of its accelerations that the last step kept, 0 to 1
 };
 
+/// Returns the kinetic energy [J] of velocities [m/s], one column a vertex; `masses` are lumped
+/// [kg].
+double kineticEnergy(const Positions& velocities, const Eigen::VectorXd& masses);
+
 enum class IntegratorKind { kNewmark, kBackwardEuler, kSymplecticEuler };
 
 /// The kinds by the names that people write.

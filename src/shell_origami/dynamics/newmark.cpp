@@ -17,10 +17,6 @@ double keptPart(const Positions& before, const Positions& after, const Eigen::Ve
 /// itself. At the default gamma swinging paper rises by 0.12 at most, and mostly falls.
 constexpr double kRise = 0.01;
 
-double kineticEnergy(const Positions& velocities, const Eigen::VectorXd& masses) {
-  return velocities.colwise().squaredNorm().dot(masses.transpose()) / 2;
-}
-
 }  // namespace
 
 Newmark::Newmark(const SolverConfig& config, ImplicitSolver& solver)

@@ -20,7 +20,8 @@ constexpr int kHalvings = 25;
 /// Rounding in the objective, relative to it: a rise below this is none.
 constexpr double kRounding = 1e-13;
 
-/// What a step must bring the objective down to: `slope` is its first-order change.
+/// Returns the largest value of the objective that the line search accepts after a step whose
+/// first-order change is `slope`.
 double enough(double start, double slope) {
   return start + kDecrease * slope + kRounding * std::abs(start);
 }

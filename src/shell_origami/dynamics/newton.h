@@ -22,8 +22,8 @@ struct SolverTimes {
   SolverTimes& operator+=(const SolverTimes& other);
 };
 
-/// What the solver of one step passes on to that of the next. It begins anew where that tells
-/// nothing about the next: after an edit, a step in parts, a solve that renewed its factor.
+/// State of the solver that one step passes on to the next. It is reset after events across which
+/// it predicts nothing: an edit, a divided step, a solve that renewed its factor.
 struct SolverState {
   double contraction = 1;  ///< second step over first, in the solve that last took both
   int unchecked = 0;       ///< solves since that one

@@ -28,7 +28,7 @@ class Background {
 
   void cancel() { cancelled_ = true; }
   bool done() const { return done_; }
-  /// What the work threw, if anything. \pre done()
+  /// Returns the exception of the work, null if there was none. \pre done()
   std::exception_ptr error() const { return error_; }
 
  private:

@@ -12,7 +12,7 @@
 
 namespace shell_origami {
 
-/// What a node has under way.
+/// The run of a node: its paper and its recipe.
 struct Run {
   Session session;
   std::optional<RecipeRun> recipe;
@@ -25,7 +25,7 @@ class Checkpoint {
   /// \param period  between two writings [s] of wall time
   Checkpoint(std::string path, double period);
 
-  /// What the file holds; nothing where there is no such file.
+  /// Returns the contents of the file, or nothing if there is no such file.
   /// \throws std::invalid_argument with one sentence when it cannot be read or is damaged.
   std::optional<Run> read() const;
 

@@ -224,8 +224,7 @@ Energies Simulation::energies() const {
   energies.membrane = shell_.shell().membraneEnergy(motion_.positions);
   energies.bending = shell_.bendingEnergy(motion_.positions);
   energies.gravity = shell_.gravityEnergy(motion_.positions);
-  energies.kinetic =
-      motion_.velocities.colwise().squaredNorm().dot(shell_.shell().masses().transpose()) / 2;
+  energies.kinetic = kineticEnergy(motion_.velocities, shell_.shell().masses());
   return energies;
 }
 

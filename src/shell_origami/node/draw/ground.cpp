@@ -62,11 +62,10 @@ Marker groundGrid(const Eigen::Matrix3Xd& positions, double size, double ground,
   return finished(marker);
 }
 
-Marker shadow(const Eigen::Matrix3Xd& positions, const msg::Sheet& sheet,
+Marker shadow(const Eigen::Matrix3Xd& positions, double size, const msg::Sheet& sheet,
               const std_msgs::Header& header) {
   Marker marker = newMarker("shadow", Marker::TRIANGLE_LIST, header);
   marker.color.a = 1;
-  const double size = sheetSize(sheet);
   const Eigen::Vector3d& light = lightDirection();
   for (const auto& triangle : sheet.triangles) {
     std::array<Eigen::Vector3d, 3> corners;

@@ -18,8 +18,8 @@ double groundBelow(const Eigen::Matrix3Xd& positions, double size);
 visualization_msgs::Marker groundGrid(const Eigen::Matrix3Xd& positions, double size, double ground,
                                       const std_msgs::Header& header);
 
-/// What of the paper is above the ground, as the light casts it there.
-visualization_msgs::Marker shadow(const Eigen::Matrix3Xd& positions, const msg::Sheet& sheet,
-                                  const std_msgs::Header& header);
+/// Returns the shadow, on the ground, of the part of the paper above it. `size` of the sheet [m].
+visualization_msgs::Marker shadow(const Eigen::Matrix3Xd& positions, double size,
+                                  const msg::Sheet& sheet, const std_msgs::Header& header);
 
 }  // namespace shell_origami
