@@ -1,5 +1,5 @@
 /// \file
-/// Plane geometry of the flat sheet.
+/// Points, vectors and plane geometry.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,6 +23,13 @@ inline double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() -
 /// Twice the signed area of the triangle a, b, c: positive when counter-clockwise.
 inline double doubleArea(const Vector2& a, const Vector2& b, const Vector2& c) {
   return cross(b - a, c - a);
+}
+
+/// The matrix m of the cross product with a: m b = a x b.
+inline Eigen::Matrix3d crossMatrix(const Vector3& a) {
+  Eigen::Matrix3d m;
+  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+  return m;
 }
 
 /// Whether p lies inside the closed polygon or within `tolerance` [m] of its outline.

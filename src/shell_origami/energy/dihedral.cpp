@@ -1,5 +1,7 @@
 #include <shell_origami/energy/dihedral.h>
 
+#include <shell_origami/base/geometry.h>
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -9,12 +11,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-Matrix3d crossMatrix(const Vector3d& a) {
-  Matrix3d m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
 
 /// One wing of the hinge: triangle p, q, r with the hinge edge p -> q and normal
 /// n = (q - p) x (r - p). Raising r out of the plane turns the wing by |e| / |n| per metre.

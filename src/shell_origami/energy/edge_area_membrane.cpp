@@ -18,12 +18,6 @@ Vector3d edge(const TrianglePoints& x, int k) { return x[to(k)] - x[from(k)]; }
 
 Vector3d normal(const TrianglePoints& x) { return (x[1] - x[0]).cross(x[2] - x[0]); }
 
-Matrix3d crossMatrix(const Vector3d& a) {
-  Matrix3d m;
-  m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-  return m;
-}
-
 /// d(area)/dx: each corner pulls across its opposite edge.
 MembraneGradient areaGradient(const TrianglePoints& x) {
   const Vector3d n = normal(x).normalized();

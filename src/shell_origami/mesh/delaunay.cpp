@@ -12,9 +12,9 @@
 namespace shell_origami {
 namespace {
 
-enum class Side { kUnknown, kPaper, kOff };
+enum class Cover { kUnknown, kPaper, kOff };
 struct Mark {
-  Side side = Side::kUnknown;
+  Cover cover = Cover::kUnknown;
 };
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -48,8 +48,8 @@ void markOff(const Cdt& cdt, Cdt::Face_handle start) {
   while (!stack.empty()) {
     const Cdt::Face_handle face = stack.back();
     stack.pop_back();
-    if (face->info().side == Side::kOff) continue;
-    face->info().side = Side::kOff;
+    if (face->info().cover == Cover::kOff) continue;
+    face->info().cover = Cover::kOff;
     for (int k = 0; k < 3; ++k) {
       if (!cdt.is_constrained({face, k})) stack.push_back(face->neighbor(k));
     }
@@ -72,7 +72,7 @@ std::vector<Triangle> constrainedDelaunay(const PlanarGraph& graph) {
 
   std::vector<Triangle> triangles;
   for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
-    if (face->info().side == Side::kOff) continue;
+    if (face->info().cover == Cover::kOff) continue;
     Triangle t{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     triangles.push_back(t);

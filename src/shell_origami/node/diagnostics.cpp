@@ -6,7 +6,7 @@
 namespace shell_origami {
 namespace {
 
-constexpr double kWarnPeriod = 60;  ///< [s]
+constexpr double kDiagnosticsWarnPeriod = 60;  ///< [s]
 
 using diagnostic_msgs::DiagnosticStatus;
 
@@ -30,7 +30,7 @@ void Diagnostics::update() {
     updater_.force_update();
   } catch (const std::runtime_error& error) {
     // The updater adds its period to the time now, which throws as ROS time comes to its end.
-    ROS_WARN_THROTTLE(kWarnPeriod, "no diagnostics are published: %s", error.what());
+    ROS_WARN_THROTTLE(kDiagnosticsWarnPeriod, "no diagnostics are published: %s", error.what());
   }
   counters_ = origami_.session().counters();
   dropped_ = origami_.dropped();

@@ -5,16 +5,16 @@
 namespace shell_origami {
 namespace {
 
-constexpr std::uint32_t kQueue = 100;
+constexpr std::uint32_t kTransformQueue = 100;
 
 }  // namespace
 
 FrameListener::FrameListener(ros::NodeHandle& node, tf2_ros::Buffer& tf) : tf_(tf) {
   using Callback = boost::function<void(const Event&)>;
   moving_ = node.subscribe<tf2_msgs::TFMessage>(
-      "/tf", kQueue, Callback([this](const Event& event) { hear(event, false); }));
+      "/tf", kTransformQueue, Callback([this](const Event& event) { hear(event, false); }));
   static_ = node.subscribe<tf2_msgs::TFMessage>(
-      "/tf_static", kQueue, Callback([this](const Event& event) { hear(event, true); }));
+      "/tf_static", kTransformQueue, Callback([this](const Event& event) { hear(event, true); }));
 }
 
 void FrameListener::hear(const Event& event, bool are_static) {

@@ -20,7 +20,7 @@ constexpr double kHalfLife = 0.5;
 constexpr double kCatchUp = 0.2, kFarBehind = 0.5;
 /// Held paper is carried at this speed at most [m/s].
 constexpr double kFastest = 2.0;
-constexpr double kWarnPeriod = 5;  ///< [s]
+constexpr double kFrameWarnPeriod = 5;  ///< [s]
 
 Pose poseOf(const geometry_msgs::TransformStamped& transform) {
   const auto& p = transform.transform.translation;
@@ -89,7 +89,7 @@ void HeldFrames::carry(const std::string& frame, const Grip& grip, double time_s
     const double late = secondsBetween(latest, end);
     // A frame that never moves has no stamp.
     if (!latest.isZero() && late > kStale) {
-      ROS_WARN_THROTTLE(kWarnPeriod, "frame %s was last heard of %.1f s ago: the paper waits",
+      ROS_WARN_THROTTLE(kFrameWarnPeriod, "frame %s was last heard of %.1f s ago: the paper waits",
                         frame.c_str(), late);
     }
     follower.behind = std::max(late, follower.behind * std::exp2(-time_step / kHalfLife));
@@ -102,14 +102,14 @@ void HeldFrames::carry(const std::string& frame, const Grip& grip, double time_s
     Pose pose = poseOf(lookUp(frame, follower.played));
     const double distance = distanceTo(pose, grip);
     if (distance > kFastest * time_step) {
-      ROS_WARN_THROTTLE(kWarnPeriod, "frame %s jumped by %.3f m: the paper follows at %g m/s",
+      ROS_WARN_THROTTLE(kFrameWarnPeriod, "frame %s jumped by %.3f m: the paper follows at %g m/s",
                         frame.c_str(), distance, kFastest);
       pose = poseBetween(grip.pose, pose, kFastest * time_step / distance);
     }
     moveTo(pose, frame, grip);
   } catch (const std::exception& error) {
     moveTo(grip.pose, frame, grip);
-    ROS_WARN_THROTTLE(kWarnPeriod, "frame %s is lost, and the paper waits: %s", frame.c_str(),
+    ROS_WARN_THROTTLE(kFrameWarnPeriod, "frame %s is lost, and the paper waits: %s", frame.c_str(),
                       error.what());
   }
 }

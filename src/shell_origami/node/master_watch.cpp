@@ -13,7 +13,7 @@ namespace {
 using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds kPeriod(1);
-constexpr double kWarnPeriod = 60;  ///< [s]
+constexpr double kMasterWarnPeriod = 60;  ///< [s]
 
 /// A call of the master API or, at another place, of a node's (wiki.ros.org/ROS/Master_API,
 /// ROS/Slave_API) in this node's name. Nothing where nobody answers.
@@ -78,7 +78,7 @@ void MasterWatch::run() {
     try {
       look();
     } catch (const XmlRpc::XmlRpcException& error) {
-      ROS_WARN_THROTTLE(kWarnPeriod, "the master's answer is invalid: %s",
+      ROS_WARN_THROTTLE(kMasterWarnPeriod, "the master's answer is invalid: %s",
                         error.getMessage().c_str());
     }
   }

@@ -6,7 +6,7 @@
 namespace shell_origami {
 namespace {
 
-constexpr std::size_t kLongest = 1000;  ///< [bytes]
+constexpr std::size_t kLongestText = 1000;  ///< [bytes]
 
 /// Whether a letter of UTF-8 begins at this byte.
 bool beginsLetter(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }
@@ -15,8 +15,8 @@ bool beginsLetter(char byte) { return (static_cast<unsigned char>(byte) & 0xc0) 
 
 std::string asMessageText(const std::string& text) {
   std::string sentence = text;
-  if (text.size() > kLongest) {
-    std::size_t head = kLongest / 2, tail = text.size() - kLongest / 2;
+  if (text.size() > kLongestText) {
+    std::size_t head = kLongestText / 2, tail = text.size() - kLongestText / 2;
     while (head > 0 && !beginsLetter(text[head])) --head;
     while (tail < text.size() && !beginsLetter(text[tail])) ++tail;
     sentence = text.substr(0, head) + "..." + text.substr(tail);

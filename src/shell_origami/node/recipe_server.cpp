@@ -9,7 +9,7 @@
 namespace shell_origami {
 namespace {
 
-constexpr std::uint32_t kQueue = 50;
+constexpr std::uint32_t kActionQueue = 50;
 constexpr double kStatusPeriod = 0.2;  ///< [s] elapsed
 /// How long the status of a goal that has ended is told [s] of ROS time.
 constexpr double kStatusTimeout = 5;
@@ -21,12 +21,12 @@ RecipeServer::RecipeServer(const ros::NodeHandle& node, const Callback& goal,
     : ActionServerBase(goal, cancel, false), node_(node, "fold_recipe") {}
 
 void RecipeServer::initialize() {
-  result_ = node_.advertise<ActionResult>("result", kQueue);
-  feedback_ = node_.advertise<ActionFeedback>("feedback", kQueue);
-  status_ = node_.advertise<actionlib_msgs::GoalStatusArray>("status", kQueue, true);
+  result_ = node_.advertise<ActionResult>("result", kActionQueue);
+  feedback_ = node_.advertise<ActionFeedback>("feedback", kActionQueue);
+  status_ = node_.advertise<actionlib_msgs::GoalStatusArray>("status", kActionQueue, true);
   goal_ = node_.subscribe<ActionGoal>(
-      "goal", kQueue, [this](const ActionGoalConstPtr& goal) { goalCallback(goal); });
-  cancel_ = node_.subscribe("cancel", kQueue, &RecipeServer::hearCancel, this);
+      "goal", kActionQueue, [this](const ActionGoalConstPtr& goal) { goalCallback(goal); });
+  cancel_ = node_.subscribe("cancel", kActionQueue, &RecipeServer::hearCancel, this);
   status_timer_ = node_.createWallTimer(ros::WallDuration(kStatusPeriod),
                                         [this](const ros::WallTimerEvent&) { publishStatus(); });
 }

@@ -12,17 +12,17 @@ namespace {
 /// How far the paper may fall behind before the lag is dropped [s].
 constexpr double kMaxLag = 0.15;
 /// How often a dropped lag is told [s].
-constexpr double kWarnPeriod = 5;
+constexpr double kLossWarnPeriod = 5;
 /// How long to wait for news of /clock, which may jump at any moment [s].
 constexpr double kClockPoll = 0.005;
 
-/// Counts the time lost, and warns of it at most once in kWarnPeriod.
+/// Counts the time lost, and warns of it at most once in kLossWarnPeriod.
 class Lag {
  public:
   void add(double lag) {
     dropped_ += lag;
     const ros::SteadyTime now = ros::SteadyTime::now();
-    if (!last_.isZero() && (now - last_).toSec() < kWarnPeriod) return;
+    if (!last_.isZero() && (now - last_).toSec() < kLossWarnPeriod) return;
     ROS_WARN("the simulation cannot keep pace: dropped %.2f s", dropped_ - told_);
     last_ = now;
     told_ = dropped_;

@@ -8,8 +8,8 @@
 namespace shell_origami {
 namespace {
 
-constexpr std::int64_t kNanoseconds = 1000000000;                       ///< of a second
-constexpr double kLongest = std::numeric_limits<std::uint32_t>::max();  ///< [s]
+constexpr std::int64_t kNanoseconds = 1000000000;                               ///< of a second
+constexpr double kLongestDuration = std::numeric_limits<std::uint32_t>::max();  ///< [s]
 
 }  // namespace
 
@@ -20,7 +20,7 @@ double secondsBetween(const ros::Time& from, const ros::Time& to) {
 }
 
 ros::Time later(const ros::Time& time, double seconds) {
-  const double wanted = std::clamp(seconds, -kLongest, kLongest);
+  const double wanted = std::clamp(seconds, -kLongestDuration, kLongestDuration);
   const double whole = std::floor(wanted);
   const std::int64_t nanoseconds =
       (static_cast<std::int64_t>(whole) + time.sec) * kNanoseconds + time.nsec +

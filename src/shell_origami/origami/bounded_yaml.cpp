@@ -10,7 +10,6 @@ namespace shell_origami {
 namespace {
 
 constexpr std::size_t kDeepest = 32;  // a recipe's points lie six deep
-constexpr int kMostValues = 1000000;
 
 /// Checks a document before it is loaded. yaml-cpp recurses once a level, before 0.7 without a
 /// bound; it announces each level before it enters it, which is when it can be stopped. Of a key
@@ -56,9 +55,9 @@ class Guard : public YAML::EventHandler {
 
   /// Takes a key, a value of a map, or an entry of a list.
   void take(const YAML::Mark& mark, const std::string* scalar) {
-    if (++values_ > kMostValues) {
-      throw YAML::ParserException(mark,
-                                  "it holds more than " + std::to_string(kMostValues) + " values");
+    if (++values_ > kMostYamlValues) {
+      throw YAML::ParserException(
+          mark, "it holds more than " + std::to_string(kMostYamlValues) + " values");
     }
     if (levels_.empty() || !levels_.back().is_map) return;
     Level& map = levels_.back();
@@ -69,7 +68,7 @@ class Guard : public YAML::EventHandler {
   }
 
   std::vector<Level> levels_;  ///< around what is next, the innermost last
-  int values_ = 0;
+  std::size_t values_ = 0;
 };
 
 }  // namespace

@@ -17,8 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kDegree = M_PI / 180;
-/// Aliases of aliases make short text long: a list of a thousand times a list of a thousand folds.
-constexpr std::size_t kMostValues = 1000000;
 /// Of a recipe's file.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 
@@ -126,7 +124,8 @@ class Reader {
 
  private:
   void countValue() const {
-    if (++values_ > kMostValues) reject(file_, ": it holds more than ", kMostValues, " values");
+    if (++values_ > kMostYamlValues)
+      reject(file_, ": it holds more than ", kMostYamlValues, " values");
   }
 
   std::string file_;
