@@ -2,6 +2,7 @@
 
 #include <shell_origami/base/timer.h>
 #include <shell_origami/linear/cholesky.h>
+#include <shell_origami/linear/serial_scope.h>
 #include "bench/allocations.h"
 #include "bench/run.h"
 
@@ -138,6 +139,7 @@ FactorTimes timed(Numeric&& numeric, Solve&& solve) {
 }
 
 FactorTimes measure(const Setting& setting, const BlockMatrix& matrix) {
+  const SerialScope serial;
   Common common;
   common.supernodal = CHOLMOD_SUPERNODAL;
   common.method[0].ordering = setting.order;

@@ -1,9 +1,9 @@
 #include <shell_origami/linear/cholesky.h>
 
+#include <shell_origami/linear/serial_scope.h>
 #include <shell_origami/linear/workspace_pool.h>
 
 #include <cholmod.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cstring>
@@ -42,20 +42,6 @@ cholmod_sparse view(std::size_t size, const std::vector<int>& starts,
 
 /// libopenblas0-serial takes its workspaces from one table without a lock: one thread at a time.
 std::mutex blas_mutex;
-
-/// Keeps OpenMP from opening parallel regions in this thread as long as it lives. Debian's CHOLMOD
-/// opens one in its inner loop whatever OMP_NUM_THREADS says, at four times the cost of the
-/// factorization.
-class SerialScope {
- public:
-  SerialScope() : before_(omp_get_max_active_levels()) { omp_set_max_active_levels(0); }
-  SerialScope(const SerialScope&) = delete;
-  SerialScope& operator=(const SerialScope&) = delete;
-  ~SerialScope() { omp_set_max_active_levels(before_); }
-
- private:
-  int before_;
-};
 
 }  // namespace
 
