@@ -30,7 +30,16 @@ TEST(ReadFold, everyTestPatternLoadsAtEveryFineness) {
                   {"32_os-squareBase", 1, 2, 1},
                   {"34_os-birdBase", 1, 10, 6},
                   {"36_os-traditionalCrane", 1, 62, 47},
-                  {"41_os-curvedPleatSimple", 1, 1, 1}};
+                  {"41_os-curvedPleatSimple", 1, 1, 1},
+                  {"50_ff-030_tanakaoripa_fish_base", 1, 68, 64},
+                  {"51_ff-045_traditionaloripa_Pig", 1, 30, 24},
+                  {"52_ff-018_komatsu_Butterfly_Base", 1, 57, 50},
+                  {"53_ff-021_chan_Simple_Dragon", 1, 45, 43},
+                  {"54_ff-062_furutaoripa_houou", 1, 28, 23},
+                  {"55_ff-121_komatsuoripa_rafflesia", 1, 44, 24},
+                  {"56_ff-244_komatsuoripa_Smallbird_Base", 1, 6, 3},
+                  {"57_ff-UNSAT_007", 1, 64, 68},
+                  {"58_ff-122_brown_4x4_A100", 1, 8, 4}};
   for (const auto& pattern : patterns) {
     for (const double max_edge : {0.0, 0.02, 0.007}) {
       SCOPED_TRACE(testing::Message() << pattern.name << " at " << max_edge);
@@ -207,7 +216,8 @@ TEST(ReadFold, holesStayOpen) {
   // A crease across the hole lies on nothing.
   document["edges_vertices"].push_back({4, 6});
   document["edges_assignment"].push_back("M");
-  expectWithin(refusal(document), "edges_vertices[10] from vertex 4 to 6 lies off the paper");
+  expectWithin(refusal(document),
+               "edges_vertices[10] from vertex 4 to vertex 6 lies off the paper");
 }
 
 TEST(ReadFold, cutsAreBorderOnlyWhereTheyCanBe) {
@@ -217,7 +227,8 @@ TEST(ReadFold, cutsAreBorderOnlyWhereTheyCanBe) {
   document["edges_assignment"] = {"B", "B", "B", "B", "C"};
   expectWithin(refusal(document), "its cuts part the paper into 2 pieces, but a sheet is one");
   document["edges_assignment"] = {"B", "B", "B", "B", "B"};
-  expectWithin(refusal(document), "edges_vertices[4] from vertex 0 to 2 is border (B) with paper");
+  expectWithin(refusal(document),
+               "edges_vertices[4] from vertex 0 to vertex 2 is border (B) with paper");
   document["edges_assignment"] = {"B", "B", "B", "B", "C"};
   document.erase("faces_vertices");
   expectWithin(refusal(document), "its cuts part the paper into 2 pieces");

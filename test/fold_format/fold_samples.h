@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <string>
 
 namespace shell_origami {
@@ -18,27 +19,35 @@ using nlohmann::json;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-inline std::string patternPath(const std::string& name) {
+/// A file of test/data/patterns.
+inline std::string dataPath(const std::string& name) {
   const auto folder = std::filesystem::path(__FILE__).parent_path().parent_path() / "data";
-  return (folder / "patterns" / (name + ".fold")).string();
+  return (folder / "patterns" / name).string();
 }
 
-/// A file of its own for this program, gone with it.
-class ScratchFile {
+inline std::string patternPath(const std::string& name) { return dataPath(name + ".fold"); }
+
+/// Files of their own for this program, one of each extension, gone with it.
+class ScratchFiles {
  public:
-  ~ScratchFile() { std::filesystem::remove(path_); }
-  std::string write(const std::string& text) const {
-    std::ofstream(path_) << text;
-    return path_;
+  ~ScratchFiles() {
+    for (const std::string& path : paths_) std::filesystem::remove(path);
+  }
+  std::string write(const std::string& text, const std::string& extension) {
+    const std::string path = testing::TempDir() + "fold_samples." + std::to_string(getpid());
+    paths_.insert(path + extension);
+    std::ofstream(path + extension, std::ios::binary) << text;
+    return path + extension;
   }
 
  private:
-  std::string path_ = testing::TempDir() + "fold_samples." + std::to_string(getpid()) + ".fold";
+  std::set<std::string> paths_;
 };
 
-inline std::string scratch(const std::string& text) {
-  static const ScratchFile file;
-  return file.write(text);
+/// Writes a file and returns its path.
+inline std::string scratch(const std::string& text, const std::string& extension = ".fold") {
+  static ScratchFiles files;
+  return files.write(text, extension);
 }
 
 inline FoldPaper read(const json& document, double scale = 1, double max_edge = 0) {
@@ -48,7 +57,7 @@ inline FoldPaper read(const json& document, double scale = 1, double max_edge = 
 /// The sentence a file is refused with; empty when it is read.
 inline std::string fileRefusal(const std::string& path, const FoldReadOptions& options = {1, 0}) {
   try {
-    readFold(path, options);
+    readPatternFile(path, options);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }

@@ -177,6 +177,53 @@ TEST(FoldedForm, ofAnotherPatternIsPassedOver) {
   EXPECT_FALSE(read(document, 0, 0).positions);
 }
 
+TEST(FoldedForm, andPatternMayInheritByWayOfOthers) {
+  // The key frame has the mesh, the next one the angles, the one after that the flat coordinates;
+  // the folded form is a child of a child of the pattern, drawn at 2.5 times its scale.
+  const json all = pleats();
+  const auto part = [&all](std::initializer_list<const char*> words, int parent) {
+    json frame{{"frame_inherit", true}, {"frame_parent", parent}};
+    for (const char* word : words) frame[word] = all[word];
+    return frame;
+  };
+  json document{{"faces_vertices", all["faces_vertices"]},
+                {"edges_vertices", all["edges_vertices"]},
+                {"frame_classes", {"abstract"}}};
+  const json pattern = part({"vertices_coords", "frame_classes"}, 3);
+  const json between{{"frame_inherit", true}, {"frame_parent", 1}};
+  json form = all["file_frames"][0];
+  form["frame_parent"] = 2;
+  for (json& point : form["vertices_coords"]) {
+    for (json& coordinate : point) coordinate = 2.5 * coordinate.get<double>();
+  }
+  document["file_frames"] =
+      json::array({pattern, between, part({"edges_assignment", "frame_unit"}, 0), form});
+  const FoldPaper expected = read(all, 0, 0);
+  for (const double max_edge : {0.0, 0.01}) {
+    const FoldPaper paper = read(document, 0, max_edge);
+    EXPECT_NEAR(paper.sheet.area(), expected.sheet.area(), 1e-12);
+    ASSERT_TRUE(paper.positions);
+    EXPECT_NEAR(paper.rest_angles.at(1), M_PI / 3, 1e-6);
+    EXPECT_LT(largestStrain(paper), 1e-9);
+  }
+  EXPECT_LT((*read(document, 0, 0).positions - *expected.positions).norm(), 1e-12);
+}
+
+TEST(FoldedForm, ofAFileWithoutFacesStandsToo) {
+  json document = pleats();
+  document.erase("faces_vertices");
+  for (const auto& [a, b] : {std::pair{0, 12}, {12, 14}, {14, 2}, {2, 0}}) {
+    document["edges_vertices"].push_back({a, b});
+    document["edges_assignment"].push_back("B");
+  }
+  for (const double max_edge : {0.0, 0.01}) {
+    const FoldPaper paper = read(document, 0, max_edge);
+    ASSERT_TRUE(paper.positions);
+    EXPECT_LT(largestStrain(paper), 1e-9);
+    EXPECT_NEAR(paper.rest_angles.at(1), M_PI / 3, 1e-6);
+  }
+}
+
 TEST(FoldedForm, isPassedOverWhereTheFlatFormIsAskedFor) {
   FoldReadOptions options{0, 0, FoldForm::kFlat};
   json document = pleats();

@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -25,26 +26,34 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestPattern = 100000;  // [bytes]
 
-std::vector<std::string> patternTexts() {
+struct PatternText {
+  std::string extension, text;
+};
+
+std::vector<PatternText> patternTexts() {
+  static const std::set<std::string> kExtensions{".cp", ".fold", ".opx", ".svg"};
   std::vector<fs::path> paths;
   for (const char* folder : {"test/data/patterns", "recipes/patterns"}) {
     for (const auto& entry : fs::directory_iterator(fs::path(SOURCE_FOLDER) / folder)) {
       const bool is_small = entry.file_size() <= kLargestPattern;
-      if (entry.path().extension() == ".fold" && is_small) paths.push_back(entry.path());
+      const bool is_pattern = kExtensions.count(entry.path().extension().string()) > 0;
+      if (is_pattern && is_small) paths.push_back(entry.path());
     }
   }
   std::sort(paths.begin(), paths.end());
-  std::vector<std::string> texts;
-  for (const fs::path& path : paths) texts.push_back(readFile(path.string(), kLargestPattern));
+  std::vector<PatternText> texts;
+  for (const fs::path& path : paths) {
+    texts.push_back({path.extension().string(), readFile(path.string(), kLargestPattern)});
+  }
   return texts;
 }
 
-std::string mutatedText(const std::string& text, RandomSheets& random) {
-  std::string result = text;
-  if (random.below(2) == 0) {
+std::string mutatedText(const PatternText& pattern, RandomSheets& random) {
+  std::string result = pattern.text;
+  if (pattern.extension != ".fold" || random.below(2) == 0) {
     mutate(result, random);
   } else {
-    Json document = Json::parse(text);
+    Json document = Json::parse(pattern.text);
     mutate(document, random);
     result = document.dump();
   }
@@ -95,13 +104,16 @@ bool readAll(int inputs, Read read) {
 
 bool fuzzFoldText(int inputs, unsigned seed) {
   RandomSheets random(seed);
-  const std::vector<std::string> texts = patternTexts();
-  const std::string path =
-      (fs::temp_directory_path() / ("origami_fuzz." + std::to_string(getpid()) + ".fold")).string();
+  const std::vector<PatternText> texts = patternTexts();
+  const fs::path stem = fs::temp_directory_path() / ("origami_fuzz." + std::to_string(getpid()));
+  std::string path;
   const bool kept = readAll(inputs, [&] {
     const auto which = static_cast<std::size_t>(random.below(static_cast<int>(texts.size())));
+    fs::remove(path);
+    path = stem.string() + texts[which].extension;
     std::ofstream(path, std::ios::binary) << mutatedText(texts[which], random);
-    const FoldPaper paper = readFold(path, {0.15, random.below(2) == 0 ? 0 : 0.05});
+    const FoldReadOptions options{0, random.below(2) == 0 ? 0 : 0.05, FoldForm::kFolded, 0.15};
+    const FoldPaper paper = readPatternFile(path, options);
     paper.sheet.validate();
     if (paper.positions) Simulation(paper.sheet, {}, *paper.positions, paper.rest_angles);
   });

@@ -73,6 +73,20 @@ class LoadTest(NodeTest):
         self.assertGreater(loaded.triangles, 2)
         self.assertExtent(0.12, 0.12)
 
+    def test_a_drawing_says_what_was_changed_to_read_it(self):
+        path = os.path.join(self.folder, 'square.cp')
+        with open(path, 'w') as file:
+            file.write('1 -1 -1 1 -1\n1 1 -1 1 1\n1 1 1 -1 1\n1 -1 1 -1 -1\n2 -1 -1 1 1\n3 -1 1 1 -1\n')
+        loaded = self.origami.do('load', path=path, scale=0.05)
+        self.assertEqual(len(loaded.creases), 2)
+        self.assertTrue(loaded.message.endswith(
+            '; 2 edges were divided at crossings and at points of others'), loaded.message)
+        self.assertExtent(0.1, 0.1)
+        with open(path, 'w') as file:
+            file.write('1 -1 -1 1 nan\n')
+        refused = self.origami.call('load', path=path, scale=0.05)
+        self.assertIn("square.cp: line 1 holds 'nan', not a finite number", refused.message)
+
     def test_a_path_may_begin_at_home(self):
         name = os.path.basename(tempfile.mkdtemp(dir=os.path.expanduser('~')))
         folder = os.path.join(os.path.expanduser('~'), name)

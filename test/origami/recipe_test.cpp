@@ -54,6 +54,47 @@ TEST_F(RecipeTest, SaysWhatItReads) {
   EXPECT_EQ(fold.folds[0].name, "middle");
 }
 
+TEST_F(RecipeTest, ADrawnPatternHasTheWidthThatIsGiven) {
+  const std::string drawing = testing::TempDir() + "/recipe_test.cp";
+  std::ofstream(drawing) << "1 0 0 4 0\n1 4 0 4 2\n1 4 2 0 2\n1 0 2 0 0\n2 0 0 4 2\n3 0 2 4 0\n";
+  const std::string pattern = "sheet: {pattern: recipe_test.cp, max_edge: 0.05, ";
+  const Recipe recipe = loadRecipe(write(pattern + "width: 0.1}"));
+  std::vector<std::string> notes;
+  const Simulation simulation = makeSimulation(recipe.sheet, recipe.config, &notes);
+  EXPECT_NEAR(simulation.sheet().size(), 0.1, 1e-15);
+  EXPECT_NEAR(simulation.sheet().area(), 0.1 * 0.05, 1e-15);
+  EXPECT_EQ(notes.size(), 1u);
+  EXPECT_NE(
+      refusal(pattern + "width: 0.1, scale: 1}").find("line 1: sheet has a width and a scale"),
+      std::string::npos);
+  EXPECT_NE(
+      refusal("sheet: {size: [1, 1], width: 0.1}").find("line 1: sheet/width is for a pattern"),
+      std::string::npos);
+  EXPECT_NE(refusal(pattern + "width: wide}").find("sheet/width must be a finite number"),
+            std::string::npos);
+  const Recipe negative = loadRecipe(write(pattern + "width: -1}"));
+  EXPECT_THROW(makeSimulation(negative.sheet, negative.config), std::invalid_argument);
+  std::filesystem::remove(drawing);
+}
+
+TEST_F(RecipeTest, FormSaysWhetherAPatternIsLoadedFolded) {
+  const std::string pattern = testing::TempDir() + "/recipe_test.fold";
+  std::ofstream(pattern) << R"({"frame_classes": ["creasePattern"], "frame_unit": "m",
+    "vertices_coords": [[0, 0], [0.1, 0], [0.2, 0], [0.2, 0.1], [0.1, 0.1], [0, 0.1]],
+    "faces_vertices": [[0, 1, 4, 5], [1, 2, 3, 4]],
+    "edges_vertices": [[1, 4]], "edges_assignment": ["V"],
+    "file_frames": [{"frame_inherit": true, "frame_classes": ["foldedForm"], "vertices_coords":
+      [[0, 0, 0], [0.1, 0, 0], [0.1, 0, 0.1], [0.1, 0.1, 0.1], [0.1, 0.1, 0], [0, 0.1, 0]]}]})";
+  const auto height = [this](const std::string& form) {
+    const Recipe recipe = loadRecipe(write("sheet: {pattern: recipe_test.fold" + form + "}"));
+    return makeSimulation(recipe.sheet, recipe.config).positions().row(2).maxCoeff();
+  };
+  EXPECT_NEAR(height(""), 0.1, 1e-12);
+  EXPECT_NEAR(height(", form: folded"), 0.1, 1e-12);
+  EXPECT_EQ(height(", form: flat"), 0);
+  std::filesystem::remove(pattern);
+}
+
 TEST_F(RecipeTest, LaysTheSheetWhereThePoseSays) {
   const Recipe recipe =
       loadRecipe(write("sheet: {size: [0.1, 0.1], max_edge: 0.05, pose: {position: [1, 2, 3], "

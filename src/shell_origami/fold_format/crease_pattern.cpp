@@ -1,9 +1,11 @@
 #include <shell_origami/fold_format/crease_pattern.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/fold_format/planarize.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -40,15 +42,6 @@ PatternEdge makeEdge(std::array<int, 2> ends, std::size_t number, const std::str
   if (edge.kind == 'U' && edge.angle == 0) edge.angle = kFree;
   if (!edge.isCrease()) edge.angle = 0;
   return edge;
-}
-
-bool isFlat(const PatternEdge& edge) {
-  return !edge.isCrease() && !edge.isBorder() && !edge.isCut();
-}
-
-bool sameFold(const PatternEdge& a, const PatternEdge& b) {
-  if (a.kind != b.kind) return false;
-  return (std::isnan(a.angle) && std::isnan(b.angle)) || std::abs(a.angle - b.angle) < 1e-9;
 }
 
 double polygonArea(const std::vector<Vector2>& points, const std::vector<int>& polygon) {
@@ -110,13 +103,11 @@ std::vector<int> countFaces(CreasePattern& pattern, EdgeCollector& edges) {
 }
 
 void findBorder(CreasePattern& pattern, EdgeCollector& edges) {
-  const bool has_faces = !pattern.faces.empty();
   const std::vector<int> counts = countFaces(pattern, edges);
-  bool has_outline = false;
   for (std::size_t i = 0; i < pattern.edges.size(); ++i) {
     PatternEdge& edge = pattern.edges[i];
     const bool said = edge.isBorder() || edge.isCut();
-    if (has_faces && said && counts[i] == 0) reject(pattern.edgeName(edge), " is on no face");
+    if (said && counts[i] == 0) reject(pattern.edgeName(edge), " is on no face");
     if (edge.isBorder() && counts[i] == 2) {
       reject(pattern.edgeName(edge), " is border (B) with paper on both sides");
     }
@@ -124,12 +115,35 @@ void findBorder(CreasePattern& pattern, EdgeCollector& edges) {
       edge.kind = 'B';
       edge.angle = 0;
     }
-    has_outline |= said || edge.isBorder();
   }
-  if (!has_outline) reject("has no outline: no border edges (B) and no faces");
+}
+
+/// Reads edges that bound faces.
+void readWithFaces(const std::vector<PatternEdge>& file_edges, const std::string& kinds,
+                   std::vector<std::vector<int>> faces, CreasePattern& pattern) {
+  std::vector<std::array<int, 2>> ends;
+  for (const PatternEdge& edge : file_edges) ends.push_back(edge.vertices);
+  const std::vector<int> stand_in = facesPartAtBorder(ends, kinds, faces)
+                                        ? pattern.file_vertices
+                                        : mergeCoincident(pattern.points);
+  EdgeCollector edges(pattern);
+  for (PatternEdge edge : file_edges) {
+    for (int& v : edge.vertices) v = stand_in[v];
+    edges.add(edge);
+  }
+  addFaces(std::move(faces), stand_in, pattern);
+  findBorder(pattern, edges);
+  for (NotedCrease& crease : pattern.noted) {
+    for (int& v : crease.vertices) v = stand_in[v];
+  }
 }
 
 }  // namespace
+
+bool PatternEdge::foldsLike(const PatternEdge& other) const {
+  if (kind != other.kind) return false;
+  return (std::isnan(angle) && std::isnan(other.angle)) || std::abs(angle - other.angle) < 1e-9;
+}
 
 std::size_t EdgeCollector::add(const PatternEdge& edge) {
   const auto [a, b] = edge.vertices;
@@ -138,9 +152,9 @@ std::size_t EdgeCollector::add(const PatternEdge& edge) {
   const auto [at, is_new] = places_.emplace(sorted(a, b), edges.size());
   if (is_new) {
     edges.push_back(edge);
-  } else if (!sameFold(edges[at->second], edge)) {
-    reject("edges_vertices[", edges[at->second].number, "] and edges_vertices[", edge.number,
-           "] join the same vertices, but fold differently");
+  } else if (!edges[at->second].foldsLike(edge)) {
+    reject(pattern_.edgeName(edges[at->second]), " and ", pattern_.edgeName(edge),
+           " join the same vertices, but fold differently");
   }
   return at->second;
 }
@@ -164,13 +178,25 @@ std::vector<std::size_t> CreasePattern::cuts() const {
 }
 
 std::string CreasePattern::edgeName(const PatternEdge& edge) const {
-  const auto ends = " from vertex " + std::to_string(file_vertices[edge.vertices[0]]) + " to " +
-                    std::to_string(file_vertices[edge.vertices[1]]);
+  if (!places.empty()) return places[edge.number];
+  const auto [a, b] = edge.vertices;
+  const auto ends = " from " + vertexName(a) + " to " + vertexName(b);
   if (edge.number < 0) return "the side" + ends;
   return "edges_vertices[" + std::to_string(edge.number) + "]" + ends;
 }
 
-CreasePattern readPattern(const FoldDocument& document) {
+std::string CreasePattern::vertexName(int vertex) const {
+  if (file_vertices[vertex] >= 0) return "vertex " + std::to_string(file_vertices[vertex]);
+  const auto has = [vertex](const PatternEdge& edge) {
+    return edge.vertices[0] == vertex || edge.vertices[1] == vertex;
+  };
+  const auto edge = std::find_if(edges.begin(), edges.end(), has);
+  if (edge == edges.end()) return "a point";
+  if (!places.empty()) return "a point of " + places[edge->number];
+  return "a point of edges_vertices[" + std::to_string(edge->number) + "]";
+}
+
+CreasePattern readPattern(const FoldDocument& document, bool keep_flat_edges) {
   CreasePattern pattern;
   findFlatFrame(document, pattern);
   const int count = static_cast<int>(pattern.points.size());
@@ -179,28 +205,32 @@ CreasePattern readPattern(const FoldDocument& document) {
   const auto ends = document.edges(pattern.frame, count);
   const std::string kinds = document.assignments(pattern.frame, ends.size());
   const std::vector<double> angles = document.foldAngles(pattern.frame, ends.size());
-  const auto faces = document.faces(pattern.frame, count);
-  const bool meant = faces.empty() || facesPartAtBorder(ends, kinds, faces);
-  const std::vector<int> stand_in = meant ? pattern.file_vertices : mergeCoincident(pattern.points);
-
-  EdgeCollector edges(pattern);
+  std::vector<PatternEdge> edges;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    edges.add(makeEdge({stand_in[ends[i][0]], stand_in[ends[i][1]]}, i, kinds, angles));
+    if (ends[i][0] == ends[i][1]) reject("edges_vertices[", i, "] has no length");
+    edges.push_back(makeEdge(ends[i], i, kinds, angles));
   }
-  addFaces(faces, stand_in, pattern);
-  findBorder(pattern, edges);
   pattern.noted = document.notedCreases(pattern.frame, count);
-  for (NotedCrease& crease : pattern.noted) {
-    for (int& v : crease.vertices) v = stand_in[v];
+  auto faces = document.faces(pattern.frame, count);
+  if (faces.empty()) {
+    pattern.edges = std::move(edges);
+    makePlanar(pattern, keep_flat_edges);
+  } else {
+    readWithFaces(edges, kinds, std::move(faces), pattern);
   }
   return pattern;
+}
+
+void dropFlatEdges(CreasePattern& pattern) {
+  auto& edges = pattern.edges;
+  edges.erase(std::remove_if(edges.begin(), edges.end(), std::mem_fn(&PatternEdge::isFlat)),
+              edges.end());
 }
 
 void dropUnused(CreasePattern& pattern, bool keep_flat_edges) {
   if (!keep_flat_edges) {
     pattern.faces.clear();
-    auto& edges = pattern.edges;
-    edges.erase(std::remove_if(edges.begin(), edges.end(), isFlat), edges.end());
+    dropFlatEdges(pattern);
   }
   std::vector<int> renumbered(pattern.points.size(), -1);
   for (const PatternEdge& edge : pattern.edges) {

@@ -1,5 +1,5 @@
 /// \file
-/// FOLD files (github.com/edemaine/fold, specification 1.2): crease patterns in, papers out.
+/// Crease patterns in; papers out as FOLD files (github.com/edemaine/fold, specification 1.2).
 #pragma once
 
 #include <shell_origami/sheet/sheet.h>
@@ -19,14 +19,15 @@ enum class FoldForm {
 };
 
 struct FoldReadOptions {
-  double scale = 0;  ///< metres per unit of the file; 0: the frame_unit the file states
+  double scale = 0;  ///< metres per unit of the file; 0: the frame_unit that a FOLD file states
   /// Longest edge wanted [m]; 0: keep the file's own triangles, or where it has none, add no
   /// vertices. Files of our own keep their triangles where these are not much larger, too.
   double max_edge = 0;
   FoldForm form = FoldForm::kFolded;
+  double width = 0;  ///< of the flat pattern along x [m], in the place of a scale; 0: by the scale
 };
 
-/// A paper as a FOLD file describes it.
+/// A paper as a file describes it.
 struct FoldPaper {
   Sheet sheet;
   /// Positions in space: the file's last folded form of this pattern, unless it is folded flat (an
@@ -35,14 +36,23 @@ struct FoldPaper {
   std::optional<Positions> positions;
   /// Rest angle of each crease [rad]; NaN: a free crease. Empty without positions.
   std::vector<double> rest_angles;
+  /// A sentence for each thing in the file that was changed or passed over to read it.
+  std::vector<std::string> notes;
 };
 
 /// Reads a crease pattern. Creases are grouped into straight lines named crease_0, crease_1, ...
 /// or as the file names them (our own files do). Their pattern_angle is what the file asks of them:
 /// M and V in a file without fold angles ask for -pi and pi; null, and U with 0, for nothing. Cuts
-/// with paper on both sides, and border edges that lie on each other, are slits and open.
-/// \throws std::invalid_argument with one sentence that names the file and the place.
+/// with paper on both sides, and border edges that lie on each other, are slits and open. Edges of
+/// a file without faces may cross and need no border (makePlanar). Throws std::invalid_argument
+/// naming the file and the place.
 FoldPaper readFold(const std::string& path, const FoldReadOptions& options = {});
+
+/// Reads a crease pattern by the extension of its file: .cp and .opx as ORIPA writes them, .svg in
+/// the colors of Origami Simulator, all others as readFold(). Drawings have no unit, so that they
+/// need a scale or a width; the lower left corner is the origin.
+/// Throws std::invalid_argument naming the file and the place.
+FoldPaper readPatternFile(const std::string& path, const FoldReadOptions& options = {});
 
 /// One crease as it is written.
 struct FoldCrease {

@@ -145,6 +145,11 @@ void readFoldedForm(const FoldDocument& document, const CreasePattern& pattern, 
   const int frame = findFoldedForm(document, pattern.frame);
   if (frame < 0) return;
   const std::string name = FoldDocument::frameName(frame);
+  const auto& numbers = pattern.file_vertices;
+  if (std::count(numbers.begin(), numbers.end(), -1) > 0) {
+    paper.notes.push_back(name + " was passed over: it has no vertices where edges cross");
+    return;
+  }
   const bool is_own = !made.file_vertices.empty();
   const PatternSheet own = is_own ? made : makeSheet(pattern, 0);
   Positions positions = ownPositions(document, frame, pattern.plane, metres, own);

@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -40,8 +39,8 @@ class LineGatherer {
         return !taken_[i] && otherEnd(i, a) == b;
       });
       if (found == around.end()) {
-        reject("crease ", crease.name, " runs from vertex ", pattern_.file_vertices[a], " to ",
-               pattern_.file_vertices[b], ", where no edge is left to fold");
+        reject("crease ", crease.name, " runs from ", pattern_.vertexName(a), " to ",
+               pattern_.vertexName(b), ", where no edge is left to fold");
       }
       taken_[*found] = true;
     }
@@ -63,12 +62,6 @@ class LineGatherer {
   int otherEnd(std::size_t edge, int v) const {
     const auto [a, b] = pattern_.edges[edge].vertices;
     return a == v ? b : a;
-  }
-
-  bool foldsLike(std::size_t i, std::size_t j) const {
-    const PatternEdge &a = pattern_.edges[i], &b = pattern_.edges[j];
-    if (a.kind != b.kind) return false;
-    return (std::isnan(a.angle) && std::isnan(b.angle)) || std::abs(a.angle - b.angle) < 1e-9;
   }
 
   bool staysStraight(const std::vector<int>& line, int next) const {
@@ -96,10 +89,10 @@ class LineGatherer {
       grown = false;
       for (std::size_t i : edges_at_[line.back()]) {
         const int next = otherEnd(i, line.back());
-        if (taken_[i] || !foldsLike(i, like) || !staysStraight(line, next)) continue;
-        taken_[i] = true;
+        if (taken_[i] || !pattern_.edges[i].foldsLike(pattern_.edges[like])) continue;
+        if (!staysStraight(line, next)) continue;
+        taken_[i] = grown = true;
         line.push_back(next);
-        grown = true;
         break;
       }
     }

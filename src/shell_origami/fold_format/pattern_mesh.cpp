@@ -76,8 +76,8 @@ std::vector<Crease> meshCreases(const CreasePattern& pattern, const GraphMesh& m
         std::reverse(chain.begin(), chain.end());
       }
       if (k > 1 && crease.vertices.back() != chain.front()) {
-        reject("crease ", line.name, " runs across a cut at vertex ",
-               pattern.file_vertices[line.vertices[k - 1]]);
+        reject("crease ", line.name, " runs across a cut at ",
+               pattern.vertexName(line.vertices[k - 1]));
       }
       crease.vertices.insert(crease.vertices.end(), chain.begin() + (k > 1), chain.end());
     }

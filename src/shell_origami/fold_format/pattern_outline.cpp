@@ -26,8 +26,8 @@ std::vector<std::vector<int>> borderNeighbours(const CreasePattern& pattern) {
   for (std::size_t v = 0; v < neighbours.size(); ++v) {
     const std::size_t count = neighbours[v].size();
     if (count == 0 || count == 2) continue;
-    reject("the outline ", count == 1 ? "ends" : "meets itself", " at vertex ",
-           pattern.file_vertices[v]);
+    reject("the outline ", count == 1 ? "ends" : "meets itself", " at ",
+           pattern.vertexName(static_cast<int>(v)));
   }
   return neighbours;
 }

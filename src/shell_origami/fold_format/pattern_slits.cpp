@@ -8,13 +8,6 @@
 namespace shell_origami {
 namespace {
 
-/// Points closer than this are one, in units of the points.
-double coincidence(const std::vector<Vector2>& points) {
-  Eigen::AlignedBox2d box;
-  for (const Vector2& p : points) box.extend(p);
-  return points.empty() ? 0 : 1e-9 * box.sizes().maxCoeff();
-}
-
 /// Sets of numbers, each represented by its smallest (union-find).
 class DisjointSets {
  public:
@@ -71,18 +64,21 @@ std::vector<int> chainAlong(const PatternEdge& edge, const std::vector<int>& ver
   return chain;
 }
 
-/// Whether the edges said to be border (B) go around without the cuts.
-bool borderCloses(const CreasePattern& pattern) {
-  std::vector<int> degrees(pattern.points.size());
-  for (const PatternEdge& edge : pattern.edges) {
-    if (!edge.isBorder()) continue;
-    for (int v : edge.vertices) ++degrees[v];
-  }
-  return std::count(degrees.begin(), degrees.end(), 1) == 0 &&
-         std::count(degrees.begin(), degrees.end(), 0) < static_cast<int>(degrees.size());
+}  // namespace
+
+double extentOf(const std::vector<Vector2>& points) {
+  Eigen::AlignedBox2d box;
+  for (const Vector2& p : points) box.extend(p);
+  return points.empty() ? 0 : box.sizes().maxCoeff();
 }
 
-}  // namespace
+Vector2 lowerLeft(const std::vector<Vector2>& points) {
+  Vector2 corner = points.empty() ? Vector2(0, 0) : points[0];
+  for (const Vector2& p : points) corner = corner.cwiseMin(p);
+  return corner;
+}
+
+double coincidence(const std::vector<Vector2>& points) { return 1e-9 * extentOf(points); }
 
 std::vector<int> mergeCoincident(const std::vector<Vector2>& points) {
   const double tolerance = coincidence(points);
@@ -147,9 +143,6 @@ CreasePattern closeSlits(const CreasePattern& pattern, bool keep_flat_edges) {
   CreasePattern closed = pattern;
   mergeVertices(closed);
   mergeEdges(closed);
-  if (pattern.faces.empty() && !borderCloses(closed)) {
-    for (std::size_t cut : closed.cuts()) closed.edges[cut].kind = 'B';
-  }
   closed.faces.clear();
   dropUnused(closed, keep_flat_edges);
   return closed;

@@ -41,17 +41,17 @@ std::unique_ptr<Background> LongSettle::giveUp() {
   return std::move(work_);
 }
 
-LongLoad::LongLoad(std::string path, std::function<Simulation()> read)
+LongLoad::LongLoad(std::string path, Read read)
     : path_(std::move(path)),
-      paper_(std::make_shared<std::optional<Simulation>>()),
+      paper_(std::make_shared<Paper>()),
       work_(std::make_unique<Background>(
           [paper = paper_, read = std::move(read)](const Background::Cancelled&) {
-            paper->emplace(read());
+            paper->simulation.emplace(read(paper->notes));
           })) {}
 
 Simulation LongLoad::finish() {
   if (work_->error()) std::rethrow_exception(work_->error());
-  return std::move(**paper_);
+  return std::move(*paper_->simulation);
 }
 
 std::unique_ptr<Background> LongLoad::giveUp() { return std::move(work_); }

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace shell_origami {
 
@@ -66,20 +67,30 @@ class LongSettle {
 /// Paper that is read from a file in the background.
 class LongLoad {
  public:
-  LongLoad(std::string path, std::function<Simulation()> read);
+  /// Reads a paper, and takes notes of what was changed in its file to read it.
+  using Read = std::function<Simulation(std::vector<std::string>& notes)>;
+
+  LongLoad(std::string path, Read read);
 
   const std::string& path() const { return path_; }
   bool done() const { return work_->done(); }
   /// \pre done() \throws std::exception when there is no such paper
   Simulation finish();
+  /// \pre done()
+  const std::vector<std::string>& notes() const { return paper_->notes; }
   /// The work that is under way, to be waited for elsewhere.
   std::unique_ptr<Background> giveUp();
 
   std::promise<msg::Load::Response> answer;
 
  private:
+  struct Paper {
+    std::optional<Simulation> simulation;
+    std::vector<std::string> notes;
+  };
+
   std::string path_;
-  std::shared_ptr<std::optional<Simulation>> paper_;
+  std::shared_ptr<Paper> paper_;
   std::unique_ptr<Background> work_;
 };
 

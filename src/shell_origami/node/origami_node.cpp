@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace shell_origami {
 namespace {
@@ -24,13 +26,23 @@ constexpr std::size_t kMostEnding = 4;
 /// How long a recorder takes from subscribing to listening [s].
 constexpr double kRecorderStart = 0.3;
 
+/// The paper of a recipe. What was changed to read its pattern is told in the log.
+Simulation paperOf(const Recipe& recipe) {
+  std::vector<std::string> notes;
+  Simulation simulation = makeSimulation(recipe.sheet, recipe.config, &notes);
+  for (const std::string& note : notes) {
+    ROS_WARN("%s: %s", recipe.sheet.pattern.c_str(), note.c_str());
+  }
+  return simulation;
+}
+
 /// The sheet and the recipe of the parameters.
 Run newRun(const NodeConfig& config) {
   if (config.recipe.empty()) {
     return {Session(makeSimulation(config.sheet, config.simulation)), std::nullopt, config.paused};
   }
   Recipe recipe = loadRecipe(findRecipe(config.recipe), config.simulation, config.sheet);
-  Simulation simulation = makeSimulation(recipe.sheet, recipe.config);
+  Simulation simulation = paperOf(recipe);
   return {Session(std::move(simulation)), RecipeRun(std::move(recipe), config.output),
           config.paused};
 }
@@ -42,19 +54,20 @@ Run beginRun(const NodeConfig& config, const Checkpoint& checkpoint) {
   return std::move(*kept);
 }
 
-Simulation paperFromFile(const NodeConfig& config, const std::string& path, double scale) {
+Simulation paperFromFile(const NodeConfig& config, const std::string& path, double scale,
+                         std::vector<std::string>& notes) {
   const std::string extension = std::filesystem::path(path).extension();
   if (extension == ".yaml" || extension == ".yml") {
     if (scale != 0) {
       reject("scale is ", scale, ", but ", path, " is a recipe, which states its own scale");
     }
     const Recipe recipe = loadRecipe(path, config.simulation, config.sheet);
-    return makeSimulation(recipe.sheet, recipe.config);
+    return makeSimulation(recipe.sheet, recipe.config, &notes);
   }
   SheetSource source = config.sheet;
   source.pattern = path;
   source.scale = scale;
-  return makeSimulation(source, config.simulation);
+  return makeSimulation(source, config.simulation, &notes);
 }
 
 }  // namespace
@@ -302,7 +315,7 @@ void OrigamiNode::cancelRecipe(const std::string& why) {
 
 void OrigamiNode::startRecipe(Recipe recipe, const std::string& path,
                               RecipeRun::Listener listener) {
-  if (recipe.states("sheet")) replacePaper(makeSimulation(recipe.sheet, recipe.config), path);
+  if (recipe.states("sheet")) replacePaper(paperOf(recipe), path);
   const bool turns = (recipe.states("sheet") || recipe.states("view")) && publishView(&recipe) &&
                      start_wait_.waitForTurn(publishers_);
   run_.recipe.emplace(std::move(recipe), "", std::move(listener));
@@ -329,7 +342,9 @@ std::future<msg::Load::Response> OrigamiNode::load(const std::string& path, doub
     reject(loading_->path(), " is being read: wait until it is loaded, or end that with ~pause");
   }
   loading_ = std::make_unique<LongLoad>(
-      path, [config = config_, path, scale] { return paperFromFile(config, path, scale); });
+      path, [config = config_, path, scale](std::vector<std::string>& notes) {
+        return paperFromFile(config, path, scale, notes);
+      });
   return loading_->answer.get_future();
 }
 
@@ -345,6 +360,7 @@ void OrigamiNode::finishLoading() {
     for (const Crease& crease : sheet.creases()) answer.creases.push_back(crease.name);
     answer.revision = run_.session.revision();
     answer.edit = run_.session.edits();
+    for (const std::string& note : ended->notes()) answer.message += "; " + note;
     ended->answer.set_value(std::move(answer));
   } catch (const std::exception&) {
     ended->answer.set_exception(std::current_exception());

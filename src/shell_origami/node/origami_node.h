@@ -61,9 +61,9 @@ class OrigamiNode : private SessionListener {
   using Carrier = std::function<void(double time_step, const ros::Time& end)>;
   void setCarrier(Carrier carrier) { carrier_ = std::move(carrier); }
 
-  /// Reads the paper of a FOLD file or a recipe, then puts it in the place of this one, and
+  /// Reads the paper of a crease pattern or a recipe, then puts it in the place of this one, and
   /// abandons the recipe that runs.
-  /// \param scale  metres per unit of a FOLD file; 0: the unit that the file states
+  /// \param scale  metres per unit of a crease pattern; 0: the unit that the file states
   /// \throws std::invalid_argument when another is being read
   std::future<msg::Load::Response> load(const std::string& path, double scale);
   /// The paper as it was loaded. Abandons the recipe that runs.

@@ -191,7 +191,7 @@ bool Services::load(msg::Load::Request& request, msg::Load::Response& response) 
     response = wait(
         inNodeThread([this, path, scale = request.scale] { return origami_.load(path, scale); }));
     return "loaded " + path + ": " + vertexCount(response.vertices) + ", " +
-           count(response.creases.size(), "crease", "creases");
+           count(response.creases.size(), "crease", "creases") + response.message;
   });
 }
 

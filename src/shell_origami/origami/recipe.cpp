@@ -16,9 +16,10 @@ namespace {
 
 FoldPaper readPaper(const SheetSource& source) {
   if (!source.pattern.empty()) {
-    return readFold(source.pattern, {source.scale, source.max_edge, source.form});
+    return readPatternFile(source.pattern,
+                           {source.scale, source.max_edge, source.form, source.pattern_width});
   }
-  return {Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), {}, {}};
+  return {Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), {}, {}, {}};
 }
 
 Eigen::Isometry3d poseOf(const SheetSource& source) {
@@ -30,8 +31,10 @@ Eigen::Isometry3d poseOf(const SheetSource& source) {
 
 }  // namespace
 
-Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config) {
+Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config,
+                          std::vector<std::string>* notes) {
   FoldPaper paper = readPaper(source);
+  if (notes) *notes = paper.notes;
   checkMemory(static_cast<double>(paper.sheet.triangles().size()));
   if (!paper.positions) {
     paper.positions = flatInSpace(paper.sheet);

@@ -14,8 +14,11 @@
 
 namespace shell_origami {
 
-/// Makes the paper. \throws std::invalid_argument with one sentence.
-Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config);
+/// Makes the paper. `notes` takes a sentence for each thing in a pattern's file that was changed or
+/// passed over to read it.
+/// \throws std::invalid_argument with one sentence.
+Simulation makeSimulation(const SheetSource& source, const SimulationConfig& config,
+                          std::vector<std::string>* notes = nullptr);
 
 struct PinStep {
   PinWhere where;

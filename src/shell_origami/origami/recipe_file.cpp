@@ -175,8 +175,16 @@ void readSheet(const Reader& reader, const YAML::Node& node, const fs::path& fol
           reader.read(value, "sheet/form", Choice(kForms, sheet.form));
         }},
        {"scale", reader.into(&sheet.scale, "sheet/scale")},
+       {"width", reader.into(&sheet.pattern_width, "sheet/width")},
        {"pose", [&](const YAML::Node& value) { readPose(reader, value, sheet); }},
        {"curvature", [&](const YAML::Node& value) { readCurvature(reader, value, roll); }}});
+  if (sheet.pattern_width == 0) return;
+  if (sheet.pattern.empty()) {
+    reader.refuseAt(node, "sheet/width is for a pattern; a rectangle has a size");
+  }
+  if (sheet.scale != 0) {
+    reader.refuseAt(node, "sheet has a width and a scale, of which each is enough");
+  }
 }
 
 /// The handlers of every parameter in a folder, such as "material/".
