@@ -119,7 +119,8 @@ TEST(Drawing, pointsAndEdgesThatAreNearlyTogetherAreTogether) {
   expectNote(paper, "4 edges were divided");
   const FoldPaper corner = readText(kSquare + "2 0.0002 0.0001 4 3.9997\n", ".cp");
   EXPECT_EQ(corner.sheet.vertexCount(), 4);
-  expectNote(corner, "2 points were merged with others closer than a thousandth of its size");
+  expectNote(corner,
+             "2 points were merged with others closer than a thousandth of the pattern's size");
   EXPECT_EQ(corner.sheet.creases().size(), 1u);
   // What is farther away is no mistake.
   EXPECT_EQ(readText(kSquare + "2 1 0.005 3 3.995\n", ".cp").sheet.vertexCount(), 4 + 2);

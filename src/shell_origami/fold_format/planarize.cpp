@@ -250,8 +250,9 @@ class Planarizer {
 
   void note() {
     if (!merged_.empty()) {
-      pattern_.notes.push_back(counted(merged_.size(), "point was", "points were") +
-                               " merged with others closer than a thousandth of its size");
+      pattern_.notes.push_back(
+          counted(merged_.size(), "point was", "points were") +
+          " merged with others closer than a thousandth of the pattern's size");
     }
     if (!divided_.empty()) {
       pattern_.notes.push_back(counted(divided_.size(), "edge was", "edges were") +

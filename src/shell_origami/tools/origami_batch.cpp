@@ -152,7 +152,9 @@ std::string run(RecipeRunner& runner, Simulation& simulation, Frames& frames) {
 
 int fold(const Options& options) {
   RecipeRunner runner(loadRecipe(options.recipe, {}, {}, options.overrides));
-  Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config);
+  std::vector<std::string> notes;
+  Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config, &notes);
+  for (const std::string& note : notes) std::cerr << "origami_batch: " << note << "\n";
   Frames frames(options.every);
   const auto start = std::chrono::steady_clock::now();
   const std::string failure = run(runner, simulation, frames);
