@@ -212,7 +212,8 @@ TEST(Drawing, theLowerLeftCornerIsTheOrigin) {
 TEST(Drawing, widthStandsForAScale) {
   const std::string path = scratch(kSquare, ".cp");
   EXPECT_NEAR(readPatternFile(path, {0, 0, FoldForm::kFolded, 0.1}).sheet.area(), 0.01, 1e-15);
-  expectWithin(fileRefusal(path, {0, 0}), path + ": states no physical unit");
+  expectWithin(fileRefusal(path, {0, 0}),
+               path + ": states no physical unit: give a scale in meters per unit, or a width");
   expectWithin(fileRefusal(path, {1, 0, FoldForm::kFolded, 0.1}), "a scale and a width");
   expectWithin(fileRefusal(path, {0, 0, FoldForm::kFolded, -1}), "width is -1");
   expectWithin(fileRefusal(path, {0, 0, FoldForm::kFolded, kNan}), "width is nan");

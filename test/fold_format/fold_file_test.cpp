@@ -145,6 +145,8 @@ TEST(ReadFold, unitsAndScale) {
   EXPECT_NEAR(area(read(document, 0.1)), 0.01, 1e-15);  // a scale given goes before the unit
   document["frame_unit"] = "unit";
   expectWithin(fileRefusal(scratch(document.dump()), {0, 0}), "give a scale");
+  document["frame_unit"] = "ell";
+  expectWithin(fileRefusal(scratch(document.dump()), {0, 0}), "unit (frame_unit is \"ell\"): give");
   document.erase("frame_unit");
   expectWithin(fileRefusal(scratch(document.dump()), {0, 0}), "give a scale");
   expectWithin(fileRefusal(scratch(document.dump()), {-1, 0}), "scale is -1");

@@ -44,8 +44,8 @@ double metresPerUnit(const std::string& unit, const CreasePattern& pattern,
       {"nm", 1e-9}, {"in", 0.0254}, {"pt", 0.0254 / 72}};
   const auto found = metres.find(unit);
   if (found == metres.end()) {
-    reject("states no physical unit (frame_unit is \"", unit,
-           "\"): give a scale in metres per unit");
+    const std::string stated = unit == "unit" ? "" : " (frame_unit is \"" + unit + "\")";
+    reject("states no physical unit", stated, ": give a scale in meters per unit, or a width");
   }
   return found->second;
 }
