@@ -244,6 +244,20 @@ class BatchTest(unittest.TestCase):
                                '--out', self.out, *options], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, universal_newlines=True)
 
+    def test_a_crease_that_misses_its_target_is_said(self):
+        batch = self.batch('sheet: {size: [0.1, 0.1], max_edge: 0.02}\n'
+                           'steps:\n'
+                           '  - fold: [{line: [[0.05, 0], [0.05, 0.1]], angle_deg: 90, name: first},\n'
+                           '           {line: [[0, 0.05], [0.1, 0.05]], angle_deg: 90, name: second}]\n'
+                           '  - settle: {timeout: 5}\n')
+        self.assertEqual(batch.returncode, 3, batch.stderr)
+        self.assertIn('missed the target angle by more than 5 degrees', batch.stderr)
+        missed = self.report()['missed']
+        self.assertGreater(len(missed), 0)
+        for crease in missed:
+            self.assertGreater(abs(crease['target_deg'] - crease['angle_deg']), 5)
+            self.assertIn('is open', crease['why'])
+
     def report(self):
         with open(os.path.join(self.out, 'report.json')) as handle:
             return json.load(handle)

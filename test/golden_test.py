@@ -17,6 +17,7 @@ import unittest
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 GOLDEN = os.path.join(ROOT, 'test', 'data', 'golden.txt')
 BATCH = os.environ.get('ORIGAMI_BATCH', os.path.join(ROOT, 'build/devel/lib/shell_origami/origami_batch'))
+MISSED = 3  # folded to its end, but creases miss their targets
 HEAD = ('# recipe, SHA-256 of final.obj (its first 16 digits), steps, Newton iterations, factorizations\n'
         '# g++ 12.2, glibc 2.36, libopenblas0-serial 0.3.21 with its Haswell kernels\n')
 
@@ -30,8 +31,10 @@ def fold(recipe):
     with tempfile.TemporaryDirectory() as out:
         # One set of kernels on every processor.
         environment = dict(os.environ, OPENBLAS_CORETYPE='Haswell')
-        subprocess.run([BATCH, os.path.join(ROOT, 'recipes', recipe + '.yaml'), '--out', out],
-                       env=environment, check=True, stderr=subprocess.DEVNULL)
+        batch = subprocess.run([BATCH, os.path.join(ROOT, 'recipes', recipe + '.yaml'), '--out', out],
+                               env=environment, stderr=subprocess.DEVNULL)
+        if batch.returncode not in (0, MISSED):
+            raise RuntimeError('%s ends with %d' % (recipe, batch.returncode))
         with open(os.path.join(out, 'final.obj'), 'rb') as handle:
             digest = hashlib.sha256(handle.read()).hexdigest()[:16]
         with open(os.path.join(out, 'report.json')) as handle:

@@ -25,7 +25,7 @@ double stretchEnergy(const Sheet& sheet, MembraneKind kind, double direction) {
   for (int v = 0; v < sheet.vertexCount(); ++v)
     x.col(v).head<2>() = stretch * sheet.flatPositions()[v];
   const double expected = material.youngs_modulus * material.thickness / 2 * e * e * sheet.area();
-  return shell.membraneEnergy(x) / expected;
+  return shell.membraneEnergy(x, shell.restState()) / expected;
 }
 
 /// A sheet with a crease along y = side / 2 and perhaps another one millimetre beside it, whose

@@ -50,7 +50,7 @@ double FreeMotion::kineticEnergy() const {
 }
 
 double FreeMotion::elasticEnergy() const {
-  return shell().membraneEnergy(motion_.positions) + shell_.bendingEnergy(motion_.positions);
+  return shell_.membraneEnergy(motion_.positions) + shell_.bendingEnergy(motion_.positions);
 }
 
 }  // namespace shell_origami

@@ -47,7 +47,7 @@ void verifyRigidMotions(VerificationReport& report, const Sheet& sheet) {
       Eigen::Quaterniond(0.5, -0.1, 0.7, 0.4).normalized().toRotationMatrix();
   const Positions moved = (turn * x).colwise() + Vector3(0.1, -0.3, 0.2);
   const auto energy = [&potential](const Positions& at) {
-    return potential.shell().membraneEnergy(at) + potential.bendingEnergy(at);
+    return potential.membraneEnergy(at) + potential.bendingEnergy(at);
   };
   Positions force = Positions::Zero(3, x.cols());
   potential.addGradient(x, force);

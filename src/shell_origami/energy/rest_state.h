@@ -1,5 +1,5 @@
 /// \file
-/// Rest angles and stiffness of the hinges of a shell.
+/// Rest angles and stiffness of a shell.
 #pragma once
 
 #include <shell_origami/energy/dihedral.h>
@@ -12,11 +12,13 @@ namespace shell_origami {
 /// Rest angles asked for beyond this, to either side, are set to it [rad].
 constexpr double kLargestRestAngle = 179 * M_PI / 180;
 
-/// One entry for each hinge of a Shell, which makes it (Shell::restState()) and whose setters keep
-/// the rest angles within kLargestRestAngle.
+/// Made by a Shell (Shell::restState()), whose setters keep the rest angles within
+/// kLargestRestAngle.
 struct RestState {
-  std::vector<FoldAngle> angles;
-  std::vector<double> stiffness;  ///< [J]
+  std::vector<FoldAngle> angles;  ///< one for each hinge
+  std::vector<double> stiffness;  ///< one for each hinge [J]
+  /// One for each triangle: the part of the material's membrane stiffness that it has.
+  std::vector<double> membrane;
 };
 
 }  // namespace shell_origami

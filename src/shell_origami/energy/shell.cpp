@@ -104,12 +104,12 @@ HingePoints Shell::pointsOf(const Hinge& h, const Positions& x) const {
   return {x.col(h.vertices[0]), x.col(h.vertices[1]), x.col(h.vertices[2]), x.col(h.vertices[3])};
 }
 
-double Shell::membraneEnergy(const Positions& x) const {
+double Shell::membraneEnergy(const Positions& x, const RestState& rest) const {
   double energy = 0;
   std::visit(
       [&](const auto& membranes) {
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
-          energy += membranes[i].energy(pointsOf(triangles_[i], x));
+          energy += rest.membrane[i] * membranes[i].energy(pointsOf(triangles_[i], x));
         }
       },
       membranes_);
@@ -155,7 +155,7 @@ bool Shell::addEnergy(const Positions& x, const RestState& rest,
         for (std::size_t i = 0; i < triangles_.size() && feasible; ++i) {
           const TrianglePoints points = pointsOf(triangles_[i], x);
           feasible = membranes[i].areaRatio(points) > kCollapsed;
-          energy += membranes[i].energy(points);
+          energy += rest.membrane[i] * membranes[i].energy(points);
         }
       },
       membranes_);
@@ -238,7 +238,8 @@ void Shell::addGradient(const Positions& x, const RestState& rest,
   std::visit(
       [&](const auto& membranes) {
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
-          const MembraneGradient g = membranes[i].gradient(pointsOf(triangles_[i], x));
+          const MembraneGradient g =
+              rest.membrane[i] * membranes[i].gradient(pointsOf(triangles_[i], x));
           for (int k = 0; k < 3; ++k) gradient.col(triangles_[i][k]) += g.segment<3>(3 * k);
         }
       },
@@ -261,8 +262,9 @@ void Shell::addHessian(const Positions& x, const RestState& rest,
   std::visit(
       [&](const auto& membranes) {
         for (int i = 0; i < triangle_count; ++i) {
-          blocks.add(i, membranes[i].hessian(pointsOf(triangles_[i], x), strains[i],
-                                             kind == HessianKind::kConvex));
+          blocks.add(i, MembraneHessian(rest.membrane[i] *
+                                        membranes[i].hessian(pointsOf(triangles_[i], x), strains[i],
+                                                             kind == HessianKind::kConvex)));
         }
       },
       membranes_);

@@ -35,9 +35,12 @@ class Shell {
  public:
   Shell(const Sheet& sheet, const Material& material);
 
-  /// Returns the rest state of flat paper: creases without stiffness, ordinary hinges with the
-  /// material's.
-  RestState restState() const { return {std::vector<FoldAngle>(hinges_.size()), stiffness_}; }
+  /// Returns the rest state of flat paper: creases without stiffness, ordinary hinges and the
+  /// membrane with the material's.
+  RestState restState() const {
+    return {std::vector<FoldAngle>(hinges_.size()), stiffness_,
+            std::vector<double>(triangles_.size(), 1)};
+  }
   /// Sets the rest angle [rad] and stiffness [N*m/rad per m] of a crease's hinges.
   void setCrease(int crease, double rest_angle, double stiffness, RestState& rest) const;
   /// Sets the rest angle [rad] of an ordinary hinge.
@@ -50,7 +53,7 @@ class Shell {
   /// Hinges of each crease.
   const std::vector<std::vector<int>>& creaseHinges() const { return crease_hinges_; }
 
-  double membraneEnergy(const Positions& x) const;
+  double membraneEnergy(const Positions& x, const RestState& rest) const;
   double bendingEnergy(const Positions& x, const RestState& rest) const;
   double gravityEnergy(const Positions& x, const Vector3& gravity) const;
 
@@ -124,7 +127,9 @@ void Shell::forEachExactHessian(const Positions& x, const RestState& rest, Sink&
       [&](const auto& membranes) {
         for (int i = 0; i < triangle_count; ++i) {
           const TrianglePoints points = pointsOf(triangles_[i], x);
-          sink(i, membranes[i].hessian(points, membranes[i].strain(points), false));
+          sink(i,
+               MembraneHessian(rest.membrane[i] *
+                               membranes[i].hessian(points, membranes[i].strain(points), false)));
         }
       },
       membranes_);

@@ -22,6 +22,7 @@ class ShellPotential : public Potential {
   RestState rest;
   Vector3 gravity;  ///< [m/s^2]
 
+  double membraneEnergy(const Positions& x) const { return shell_.membraneEnergy(x, rest); }
   double bendingEnergy(const Positions& x) const { return shell_.bendingEnergy(x, rest); }
   double gravityEnergy(const Positions& x) const { return shell_.gravityEnergy(x, gravity); }
   /// Adds dW/dx [N], of gravity too.

@@ -160,6 +160,7 @@ FoldEdit foldEdit(const msg::Fold::Request& request) {
     fold.where = Segment{ends[0], ends[1]};
   }
   fold.angle = request.angle;
+  fold.part = request.part;
   fold.duration = unlessZero(request.duration);
   fold.stiffness = unlessZero(request.stiffness);
   return fold;

@@ -1,5 +1,7 @@
 #include <shell_origami/node/diagnostics.h>
 
+#include <shell_origami/origami/outcome.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -77,9 +79,12 @@ void Diagnostics::paper(Status& status) {
   const double strain = simulation.maxStrain();
   warnOfStrain(strain);
   const bool settled = simulation.settled();
+  const std::vector<MissedCrease> missed = missedCreases(simulation);
   if (strain > kBearableStrain) {
     status.summaryf(DiagnosticStatus::WARN, "stretched by %.1f %%, further than paper bears",
                     100 * strain);
+  } else if (settled && !missed.empty()) {
+    status.summary(DiagnosticStatus::WARN, missedSentence(missed));
   } else {
     status.summary(DiagnosticStatus::OK, settled ? "settled" : "moving");
   }
@@ -87,6 +92,7 @@ void Diagnostics::paper(Status& status) {
   status.add("vertices", simulation.sheet().vertexCount());
   status.add("max_strain", strain);
   status.add("settled", settled);
+  status.add("missed", missed.size());
   status.add("strain_energy", energies.strain());
   status.add("kinetic_energy", energies.kinetic);
 }

@@ -4,6 +4,7 @@
 #include <shell_origami/base/files.h>
 #include <shell_origami/node/conversions.h>
 #include <shell_origami/node/message_text.h>
+#include <shell_origami/origami/outcome.h>
 
 #include <utility>
 
@@ -82,7 +83,9 @@ void RecipeAction::ended(const RecipeRun& run, const std::string& why) {
   publishFeedback(run);
   Goal goal = *std::exchange(goal_, std::nullopt);
   if (why.empty()) {
-    goal.setSucceeded(result(), "the recipe is done");
+    const msg::FoldRecipeResult reached = result();
+    goal.setSucceeded(
+        reached, "the recipe is done" + (reached.missed.empty() ? "" : ", but " + reached.missed));
   } else {
     goal.setAborted(result(), asMessageText(why));
   }
@@ -103,6 +106,7 @@ msg::FoldRecipeResult RecipeAction::result() {
   msg::FoldRecipeResult result;
   result.max_strain = simulation.maxStrain();
   result.creases = creaseStates(simulation);
+  result.missed = asMessageText(missedSentence(missedCreases(simulation)));
   return result;
 }
 

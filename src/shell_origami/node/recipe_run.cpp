@@ -1,5 +1,6 @@
 #include <shell_origami/node/recipe_run.h>
 
+#include <shell_origami/origami/outcome.h>
 #include <shell_origami/origami/report.h>
 
 #include <ros/console.h>
@@ -70,6 +71,8 @@ void RecipeRun::finish(const Simulation& simulation) const {
   const double wall_time = (ros::SteadyTime::now() - start_).toSec();
   ROS_INFO("%s: done after %.2f s of simulation, %.2f s elapsed", recipe().name.c_str(),
            simulation.time() - start_time_, wall_time);
+  const std::string missed = missedSentence(missedCreases(simulation));
+  if (!missed.empty()) ROS_WARN("%s: %s", recipe().name.c_str(), missed.c_str());
   if (output_.empty()) return;
   writeResults(simulation, {recipe().name, wall_time, "", runner_.place().timeouts}, output_);
   ROS_INFO("%s: results are in %s", recipe().name.c_str(), output_.c_str());

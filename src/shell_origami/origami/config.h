@@ -5,6 +5,7 @@
 #include <shell_origami/dynamics/integrator.h>
 #include <shell_origami/energy/material.h>
 #include <shell_origami/energy/rest_shape.h>
+#include <shell_origami/origami/compliance.h>
 
 namespace shell_origami {
 
@@ -13,7 +14,8 @@ struct SimulationConfig {
   Vector3 gravity = Vector3::Zero();  ///< [m/s^2]; zero: the paper floats
   SolverConfig solver;
   double fold_duration = 1.0;  ///< of a fold that states none [s]
-  NaturalCurvature rest;       ///< how the sheet is rolled up when it rests
+  ComplianceConfig compliance;
+  NaturalCurvature rest;  ///< how the sheet is rolled up when it rests
 };
 
 /// What of a configuration may change while the paper moves.

@@ -50,7 +50,8 @@ bool CreaseActuation::runningAt(double time) const {
 }
 
 void CreaseActuation::start(int crease, double target, double time, double duration,
-                            double stiffness, const Shell& shell, const Positions& positions) {
+                            double stiffness, bool of_pattern, const Shell& shell,
+                            const Positions& positions) {
   FoldRamp& ramp = ramps_[crease];
   ramp.from = ramp.driven ? ramp.angleAt(time) : meanAngle(crease, shell, positions);
   ramp.driven = true;
@@ -59,6 +60,7 @@ void CreaseActuation::start(int crease, double target, double time, double durat
   ramp.start = time;
   ramp.duration = duration;
   ramp.stiffness = stiffness;
+  ramp.of_pattern = of_pattern;
 }
 
 void CreaseActuation::synchronize(double time) {
@@ -135,9 +137,10 @@ void CreaseActuation::follow(const Remap& remap, const std::vector<Crease>& befo
   ramps_ = std::move(ramps);
 }
 
-void CreaseActuation::apply(double time, const Shell& shell, RestState& rest) const {
+void CreaseActuation::apply(double time, double factor, const Shell& shell, RestState& rest) const {
   for (std::size_t i = 0; i < ramps_.size(); ++i) {
-    shell.setCrease(static_cast<int>(i), ramps_[i].angleAt(time), ramps_[i].stiffness, rest);
+    const FoldRamp& ramp = ramps_[i];
+    shell.setCrease(static_cast<int>(i), ramp.angleAt(time), factor * ramp.stiffness, rest);
   }
 }
 

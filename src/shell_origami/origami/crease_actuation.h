@@ -33,7 +33,7 @@ class CreaseActuation {
   /// Starts a fold from where the crease rests, so that no moment jumps; a free one from the angle
   /// it has.
   void start(int crease, double target, double time, double duration, double stiffness,
-             const Shell& shell, const Positions& positions);
+             bool of_pattern, const Shell& shell, const Positions& positions);
   /// Makes the ramps that begin at this time run together.
   void synchronize(double time);
   /// Ends every running fold: its crease keeps the rest angle that the ramp has reached.
@@ -48,8 +48,8 @@ class CreaseActuation {
   /// Carries the ramps over an edit: a crease that was cut off another one takes over its ramp.
   void follow(const Remap& remap, const std::vector<Crease>& before,
               const std::vector<Crease>& after);
-  /// Gives the shell's creases their rest angles and stiffness at this time.
-  void apply(double time, const Shell& shell, RestState& rest) const;
+  /// Gives the shell's creases their rest angles at this time and their stiffness, times `factor`.
+  void apply(double time, double factor, const Shell& shell, RestState& rest) const;
 
  private:
   std::vector<FoldRamp> ramps_;

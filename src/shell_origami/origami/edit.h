@@ -17,8 +17,9 @@
 
 namespace shell_origami {
 
-/// A named crease, or a group of creases of the loaded pattern: `mountains`, `valleys`, or `all`,
-/// of which each is folded to the side that the pattern asks for.
+/// A named crease, or a group of creases of the loaded pattern: `mountains`, `valleys` or `all`.
+/// Each crease of a group is folded to the side that the pattern asks for, whatever the angle's
+/// sign.
 struct CreaseName {
   std::string name;
 };
@@ -34,6 +35,7 @@ struct FoldEdit {
   std::optional<double> duration;   ///< [s]; none: SimulationConfig::fold_duration
   std::optional<double> stiffness;  ///< [N*m/rad per m]; none: Material::crease_stiffness
   std::string name;                 ///< of the new crease; empty: generated
+  double part = 0;                  ///< (0, 1]: of the pattern's angle; 0: `angle` counts
 };
 
 /// Holds vertices: where they are, or by a frame, which CarryEdit moves.

@@ -10,15 +10,16 @@ namespace shell_origami {
 /// fold. The creases of a flat-foldable vertex of four move like this, so that folds with
 /// compatible targets stay compatible on the way.
 struct FoldRamp {
-  bool driven = false;     ///< false: a free crease, soft, that no fold has named
-  double from = 0;         ///< [rad] recorded at the start
-  double target = 0;       ///< [rad]; of a free crease, where it rests now
-  double lead_from = 0;    ///< [rad] of the lead, `from` and `target` where the fold is alone
-  double lead_target = 0;  ///< [rad]
-  double start = 0;        ///< [s] simulation time
-  double duration = 0;     ///< [s]; 0: at once
-  double stiffness = 0;    ///< [N*m/rad per m]
-  double set = 0;          ///< what yielding added to the rest angle [rad]
+  bool driven = false;      ///< false: a free crease, soft, that no fold has named
+  double from = 0;          ///< [rad] recorded at the start
+  double target = 0;        ///< [rad]; of a free crease, where it rests now
+  double lead_from = 0;     ///< [rad] of the lead, `from` and `target` where the fold is alone
+  double lead_target = 0;   ///< [rad]
+  double start = 0;         ///< [s] simulation time
+  double duration = 0;      ///< [s]; 0: at once
+  double stiffness = 0;     ///< [N*m/rad per m]
+  double set = 0;           ///< what yielding added to the rest angle [rad]
+  bool of_pattern = false;  ///< whether the fold named its crease, or a group of them
 
   /// Rest angle at simulation time t [rad].
   double angleAt(double t) const;

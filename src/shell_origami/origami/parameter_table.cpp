@@ -27,6 +27,10 @@ Place membrane(SimulationConfig& config) {
   return Choice(membraneNames(), config.material.membrane);
 }
 
+Place compliantRegion(SimulationConfig& config) {
+  return Choice(compliantRegionNames(), config.compliance.where);
+}
+
 Place integrator(SimulationConfig& config) {
   return Choice(integratorNames(), config.solver.integrator);
 }
@@ -81,7 +85,13 @@ const ParameterTable<SimulationConfig>& simulationParameters() {
       {"solver/max_iterations", of(&SolverConfig::max_iterations),
        "Newton iterations before a step is cut in two", "", between(1, 1000)},
       {"fold_duration", at(&Config::fold_duration), "of a fold that states none", "s", kPositive,
-       kLive}};
+       kLive},
+      {"compliance/factor",
+       [](Config& config) { return Place(&config.compliance.factor); },
+       "times that the membrane is softer while creases fold; 0: where a pattern needs it",
+       "",
+       {1, 1e6, false, true}},
+      {"compliance/where", compliantRegion, "which triangles are softer", "", kUnbounded}};
   return table;
 }
 

@@ -76,6 +76,10 @@ Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults = {}
 Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults = {},
                   const SheetSource& sheet = {}, const Overrides& overrides = {});
 
+/// The text of a recipe that folds every crease of a pattern to the angle that the pattern asks for
+/// and waits until the paper has settled.
+RecipeText patternRecipe(const std::string& path, double width);
+
 /// How far a recipe is.
 struct RecipePlace {
   int step = 0;           ///< under way, 0-based

@@ -216,7 +216,8 @@ void readView(const Reader& reader, const YAML::Node& node, View& view) {
 
 FoldEdit readFoldEntry(const Reader& reader, const YAML::Node& node) {
   FoldEdit fold;
-  bool has_place = false, has_angle = false;
+  bool has_place = false;
+  int angles = 0;
   const auto place = [&](const YAML::Node& value) {
     if (has_place) reader.refuseAt(value, "a fold takes one of line and crease, not both");
     has_place = true;
@@ -242,7 +243,15 @@ FoldEdit readFoldEntry(const Reader& reader, const YAML::Node& node) {
             reader.refuseAt(value, "angle_deg ", angle, " is not inside (-180, 180)");
           }
           fold.angle = angle * kDegree;
-          has_angle = true;
+          ++angles;
+        }},
+       {"part",
+        [&](const YAML::Node& value) {
+          fold.part = reader.number(value, "part");
+          if (!(fold.part >= 0 && fold.part <= 1)) {
+            reader.refuseAt(value, "part ", fold.part, " is not from 0 to 1");
+          }
+          ++angles;
         }},
        {"stiffness",
         [&](const YAML::Node& value) { fold.stiffness = reader.number(value, "stiffness"); }},
@@ -255,7 +264,7 @@ FoldEdit readFoldEntry(const Reader& reader, const YAML::Node& node) {
           }
         }}});
   if (!has_place) reader.refuseAt(node, "a fold needs a line or a crease");
-  if (!has_angle) reader.refuseAt(node, "a fold needs angle_deg");
+  if (angles != 1) reader.refuseAt(node, "a fold needs either angle_deg or part");
   return fold;
 }
 
@@ -348,7 +357,7 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
   SimulationConfig& config = recipe.config;
   YAML::Node steps;
   Reader::Handlers handlers = parametersIn("", reader, config);
-  for (const std::string group : {"material", "solver"}) {
+  for (const std::string group : {"material", "solver", "compliance"}) {
     handlers[group] = [&reader, &config, group](const YAML::Node& node) {
       reader.readMap(node, group, parametersIn(group + "/", reader, config));
     };

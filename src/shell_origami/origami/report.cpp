@@ -3,6 +3,7 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/fold_format/fold_file.h>
 #include <shell_origami/origami/mesh_file.h>
+#include <shell_origami/origami/outcome.h>
 
 #include <algorithm>
 #include <cctype>
@@ -30,6 +31,18 @@ json reportCrease(const CreaseStatus& crease) {
           {"angle_deg_mean", degrees(crease.angle)},
           {"angle_deg_min", degrees(crease.angle_min)},
           {"angle_deg_max", degrees(crease.angle_max)}};
+}
+
+json reportMissed(const Simulation& simulation) {
+  json missed = json::array();
+  for (const MissedCrease& crease : missedCreases(simulation)) {
+    missed.push_back({{"name", crease.name},
+                      {"id", crease.id},
+                      {"target_deg", degrees(crease.target)},
+                      {"angle_deg", degrees(crease.angle)},
+                      {"why", crease.why}});
+  }
+  return missed;
 }
 
 std::string lowerExtension(const std::string& path) {
@@ -66,6 +79,7 @@ json makeReport(const Simulation& simulation, const RunRecord& run) {
           {"intersections", -1},
           {"failure", run.failure.empty() ? json(nullptr) : json(run.failure)},
           {"timeouts", std::move(timeouts)},
+          {"missed", reportMissed(simulation)},
           {"creases", std::move(creases)}};
 }
 

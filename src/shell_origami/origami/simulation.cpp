@@ -47,7 +47,9 @@ class Simulation::StepConditions : public BoundaryConditions {
     simulation_.held_.place(s, prescribed);
   }
 
-  bool constant() const override { return !simulation_.folding() && !simulation_.held_.moving(); }
+  bool constant() const override {
+    return !simulation_.folding() && !simulation_.compliance_.soft() && !simulation_.held_.moving();
+  }
 
  private:
   Simulation& simulation_;
@@ -85,6 +87,7 @@ Simulation::Simulation(const Snapshot& snapshot)
       shell_(sheet_, config_.material, config_.gravity),
       motion_(snapshot.motion),
       creases_(snapshot.creases),
+      compliance_(snapshot.compliance),
       rest_(snapshot.rest),
       held_(snapshot.held),
       stepper_(config_.solver),
@@ -96,7 +99,7 @@ Simulation::Simulation(const Snapshot& snapshot)
 }
 
 Snapshot Simulation::snapshot() const {
-  Snapshot snapshot{config_, sheet_,           motion_,   creases_, rest_,
+  Snapshot snapshot{config_, sheet_,           motion_,   creases_, compliance_, rest_,
                     held_,   stepper_.state(), counters_, time_,    resting_};
   snapshot.creases.synchronize(time_);
   return snapshot;
@@ -126,7 +129,10 @@ const Potentials& Simulation::potentials() {
 }
 
 /// Puts the rest state where the creases' ramps are at this time.
-void Simulation::updateRestState(double time) { creases_.apply(time, shell_.shell(), shell_.rest); }
+void Simulation::updateRestState(double time) {
+  creases_.apply(time, compliance_.creaseFactor(), shell_.shell(), shell_.rest);
+  compliance_.apply(config_.compliance.where, shell_.shell(), shell_.rest);
+}
 
 /// Moves the rest state as far as the paper's shape makes it: free creases follow, and what is bent
 /// too far yields.
@@ -171,10 +177,15 @@ StepReport Simulation::step() {
   }
   // Here and not in each fold: of many that begin together each would look at all.
   creases_.synchronize(time_);
+  const double factor = complianceOf(config_.compliance, sheet_, creases_.ramps(), time_);
+  if (factor > 1) compliance_.start(factor);
   StepConditions conditions(*this);
   const SolverState solver = stepper_.state();
-  const StepReport report = counted(stepper_.step(
-      potentials(), shell_.shell().masses(), config_.material.air_damping, conditions, motion_));
+  StepReport report;
+  do {
+    report = counted(stepper_.step(potentials(), shell_.shell().masses(),
+                                   config_.material.air_damping, conditions, motion_));
+  } while (!report.converged && compliance_.stiffen());
   if (!report.converged) {
     updateRestState(time_);
     stepper_.restoreState(solver);
@@ -183,6 +194,7 @@ StepReport Simulation::step() {
   held_.arrive();
   ++counters_.steps;
   time_ += config_.solver.time_step;
+  compliance_.advance(folding(), config_.solver.time_step);
   giveWay(motion_.positions);
   resting_ = atRest();
   if (resting_) {
@@ -221,7 +233,7 @@ std::vector<CreaseStatus> Simulation::creases() const {
 
 Energies Simulation::energies() const {
   Energies energies;
-  energies.membrane = shell_.shell().membraneEnergy(motion_.positions);
+  energies.membrane = shell_.membraneEnergy(motion_.positions);
   energies.bending = shell_.bendingEnergy(motion_.positions);
   energies.gravity = shell_.gravityEnergy(motion_.positions);
   energies.kinetic = kineticEnergy(motion_.velocities, shell_.shell().masses());
@@ -262,12 +274,13 @@ bool Simulation::folding() const { return creases_.runningAt(time_); }
 
 bool Simulation::atRest() const {
   const double still = kAtRest * config_.solver.tolerance;
-  return !folding() && rootMeanSquare(motion_.velocities) < still &&
+  return !folding() && !compliance_.soft() && rootMeanSquare(motion_.velocities) < still &&
          rootMeanSquare(motion_.accelerations) * config_.solver.time_step < still;
 }
 
 bool Simulation::settled() const {
-  return !folding() && rootMeanSquare(motion_.velocities) < kSettledSpeed * sheet_.size() &&
+  return !folding() && !compliance_.soft() &&
+         rootMeanSquare(motion_.velocities) < kSettledSpeed * sheet_.size() &&
          rootMeanSquare(motion_.accelerations) < kSettledAcceleration * sheet_.size();
 }
 

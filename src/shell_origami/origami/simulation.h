@@ -4,6 +4,7 @@
 
 #include <shell_origami/dynamics/stepper.h>
 #include <shell_origami/energy/shell_potential.h>
+#include <shell_origami/origami/compliance.h>
 #include <shell_origami/origami/edit.h>
 #include <shell_origami/origami/snapshot.h>
 #include <shell_origami/sheet/fold_line.h>
@@ -97,8 +98,8 @@ class Simulation {
   double maxStrain() const;
   /// Whether a ramp is still running.
   bool folding() const;
-  /// Whether no ramp runs, and speeds (the kinetic energy) and accelerations (the residual force)
-  /// are too small to see.
+  /// Whether no ramp runs, the membrane is hard, and speeds (the kinetic energy) and accelerations
+  /// (the residual force) are too small to see.
   bool settled() const;
 
  private:
@@ -130,6 +131,7 @@ class Simulation {
   Potentials potentials_;  ///< scratch of potentials()
   Motion motion_;
   CreaseActuation creases_;
+  Compliance compliance_;
   RestShape rest_;
   HeldVertices held_;
   Stepper stepper_;

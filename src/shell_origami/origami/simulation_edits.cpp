@@ -3,6 +3,7 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/origami/parameter_table.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -14,6 +15,10 @@ namespace {
 void checkFold(const FoldEdit& edit) {
   if (!(std::abs(edit.angle) < M_PI)) {
     reject("angle ", edit.angle, " rad is not inside (-pi, pi)");
+  }
+  if (!(edit.part >= 0 && edit.part <= 1)) reject("part ", edit.part, " is not from 0 to 1");
+  if (edit.part > 0 && !std::holds_alternative<CreaseName>(edit.where)) {
+    reject("part ", edit.part, " of which angle? The pattern asks for none of a line");
   }
   if (edit.duration && !(*edit.duration >= 0 && std::isfinite(*edit.duration))) {
     reject("duration ", *edit.duration, " s is negative or not finite");
@@ -70,23 +75,45 @@ void Simulation::foldLine(const Segment& line, const FoldEdit& edit, EditRecord&
   record.parts = line_made.parts;
 }
 
+namespace {
+
+bool inGroup(const Crease& crease, const std::string& group) {
+  return (group == "mountains" && crease.pattern_angle < 0) ||
+         (group == "valleys" && crease.pattern_angle > 0) ||
+         (group == "all" && std::abs(crease.pattern_angle) > 0);
+}
+
+double targetAngle(const Crease& crease, const FoldEdit& edit, bool by_group) {
+  if (edit.part > 0) {
+    return std::clamp(edit.part * crease.pattern_angle, -kLargestRestAngle, kLargestRestAngle);
+  }
+  return by_group ? std::copysign(edit.angle, crease.pattern_angle) : edit.angle;
+}
+
+}  // namespace
+
 void Simulation::foldNamed(const std::string& name, const FoldEdit& edit, EditRecord& record) {
+  std::vector<std::pair<int, double>> targets;
   for (std::size_t i = 0; i < sheet_.creases().size(); ++i) {
     const Crease& crease = sheet_.creases()[i];
-    const bool in_group = (name == "mountains" && crease.pattern_angle < 0) ||
-                          (name == "valleys" && crease.pattern_angle > 0) ||
-                          (name == "all" && std::abs(crease.pattern_angle) > 0);
-    if (!in_group && crease.name != name) continue;
-    const bool flips = name == "all" && crease.pattern_angle < 0;
-    startRamp(static_cast<int>(i), flips ? -edit.angle : edit.angle, edit);
+    const bool by_group = inGroup(crease, name);
+    if (!by_group && crease.name != name) continue;
+    const double target = targetAngle(crease, edit, by_group);
+    if (std::isnan(target)) {
+      reject("part ", edit.part, " of which angle? The pattern asks for none of crease '", name,
+             "'");
+    }
+    targets.emplace_back(static_cast<int>(i), target);
     record.crease_ids.push_back(crease.id);
     record.vertices.insert(record.vertices.end(), crease.vertices.begin(), crease.vertices.end());
   }
-  if (record.crease_ids.empty()) reject("no crease or group of creases is called '", name, "'");
+  if (targets.empty()) reject("no crease or group of creases is called '", name, "'");
+  for (const auto& [crease, target] : targets) startRamp(crease, target, edit);
 }
 
 void Simulation::startRamp(int crease, double target, const FoldEdit& edit) {
-  creases_.start(crease, target, time_, *edit.duration, *edit.stiffness, shell_.shell(),
+  const bool of_pattern = std::holds_alternative<CreaseName>(edit.where);
+  creases_.start(crease, target, time_, *edit.duration, *edit.stiffness, of_pattern, shell_.shell(),
                  motion_.positions);
 }
 
@@ -143,6 +170,7 @@ CarryEdit Simulation::make(const CarryEdit& edit, EditRecord&) {
 SettleEdit Simulation::make(const SettleEdit& edit, EditRecord& record) {
   const CreaseActuation creases = creases_;
   const RestShape rest = rest_;
+  const Compliance compliance = compliance_;
   const RestState rest_state = shell_.rest;
   const SolverState solver = stepper_.state();
   const auto adapt = [this](const Positions& positions) {
@@ -150,11 +178,14 @@ SettleEdit Simulation::make(const SettleEdit& edit, EditRecord& record) {
     giveWay(positions);
   };
   try {
+    if (!folding()) compliance_ = {};
+    updateRestState(time_);
     record.report = counted(stepper_.relax(potentials(), shell_.shell().masses(), adapt, motion_));
     if (!record.report.converged) reject(record.report.failure);
   } catch (const std::invalid_argument&) {
     creases_ = creases;
     rest_ = rest;
+    compliance_ = compliance;
     shell_.rest = rest_state;
     stepper_.restoreState(solver);
     throw;

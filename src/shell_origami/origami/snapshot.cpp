@@ -129,16 +129,17 @@ Sheet readSheet(const Json& json) {
 }
 
 Json write(const FoldRamp& ramp) {
-  return {ramp.driven ? 1 : 0, ramp.from,     ramp.target,    ramp.lead_from, ramp.lead_target,
-          ramp.start,          ramp.duration, ramp.stiffness, ramp.set};
+  return {
+      ramp.driven ? 1 : 0, ramp.from,     ramp.target,    ramp.lead_from, ramp.lead_target,
+      ramp.start,          ramp.duration, ramp.stiffness, ramp.set,       ramp.of_pattern ? 1 : 0};
 }
 
 FoldRamp readRamp(const Json& json) {
-  const auto n = json.get<std::array<double, 9>>();
+  const auto n = json.get<std::array<double, 10>>();
   for (double number : n) {
     if (!std::isfinite(number)) reject("a ramp is not finite");
   }
-  return {n[0] != 0, n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]};
+  return {n[0] != 0, n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9] != 0};
 }
 
 CreaseActuation readCreases(const Json& json, const Sheet& sheet) {
@@ -148,6 +149,14 @@ CreaseActuation readCreases(const Json& json, const Sheet& sheet) {
     reject(sheet.creases().size(), " creases, but ", ramps.size(), " ramps");
   }
   return CreaseActuation(std::move(ramps), json.at("stiffness").get<double>());
+}
+
+Compliance readCompliance(const Json& json) {
+  const double factor = json.at("factor"), level = json.at("level");
+  if (!(factor >= 1 && std::isfinite(factor) && level >= 0 && level <= 1)) {
+    reject("a compliance of ", factor, " at ", level);
+  }
+  return Compliance(factor, level, json.at("folding"));
 }
 
 RestShape readRest(const Json& json, const NaturalCurvature& roll, const Sheet& sheet) {
@@ -216,6 +225,7 @@ Snapshot read(const Json& json) {
           std::move(sheet),
           std::move(motion),
           std::move(creases),
+          readCompliance(json.at("compliance")),
           std::move(rest),
           readHeld(json.at("held"), count),
           {memory.at("contraction"), memory.at("unchecked")},
@@ -266,6 +276,10 @@ Json toJson(const Snapshot& snapshot) {
       {"accelerations", numbers(snapshot.motion.accelerations)},
       {"acceleration_persistence", snapshot.motion.acceleration_persistence},
       {"creases", {{"ramps", ramps}, {"stiffness", snapshot.creases.stiffness()}}},
+      {"compliance",
+       {{"factor", snapshot.compliance.factor()},
+        {"level", snapshot.compliance.level()},
+        {"folding", snapshot.compliance.folding()}}},
       {"rest", {{"set", snapshot.rest.set()}, {"plastic", snapshot.rest.plastic()}}},
       {"held", write(snapshot.held)},
       {"memory",

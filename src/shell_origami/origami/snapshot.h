@@ -4,6 +4,7 @@
 
 #include <shell_origami/dynamics/integrator.h>
 #include <shell_origami/energy/rest_shape.h>
+#include <shell_origami/origami/compliance.h>
 #include <shell_origami/origami/config.h>
 #include <shell_origami/origami/crease_actuation.h>
 #include <shell_origami/origami/held_vertices.h>
@@ -29,6 +30,7 @@ struct Snapshot {
   Sheet sheet;
   Motion motion;
   CreaseActuation creases;
+  Compliance compliance;
   RestShape rest;
   HeldVertices held;
   SolverState solver;

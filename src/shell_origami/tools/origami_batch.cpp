@@ -1,7 +1,8 @@
 /// \file
-/// origami_batch: folds a recipe without a ROS master.
+/// origami_batch: folds a recipe, or a crease pattern, without a ROS master.
 #include <shell_origami/base/files.h>
 #include <shell_origami/fold_format/fold_file.h>
+#include <shell_origami/origami/outcome.h>
 #include <shell_origami/origami/recipe.h>
 #include <shell_origami/origami/report.h>
 
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -22,19 +24,26 @@ using namespace shell_origami;
 
 constexpr const char* kUsage =
     "usage: origami_batch RECIPE.yaml --out DIR [--set key=value ...] [--every SECONDS]\n"
+    "       origami_batch PATTERN --width WIDTH --out DIR [...]\n"
+    "Folds a recipe, or all creases of a pattern (.fold, .cp, .svg) to the angles that it asks "
+    "for.\n"
+    "  --width WIDTH    of the flat pattern along x [m]\n"
     "  --out DIR        folder for final.fold, final.obj, frames.fold and report.json\n"
     "  --set key=value  overrides one value of the recipe, such as material/thickness=2e-4\n"
     "  --every SECONDS  simulated time between the frames of frames.fold (default 0.1)\n"
     "Exit codes: 0 the recipe was folded to its end; 1 nothing was written, for example because "
     "an\n"
     "argument or the recipe is invalid; 2 folding ended early, and the files show the paper as it\n"
-    "was then, with the reason in report.json.\n";
+    "was then, with the reason in report.json; 3 it was folded to its end, but creases missed "
+    "their\n"
+    "target angles, as report.json lists under missed.\n";
 
-constexpr int kNothingWritten = 1, kEndedEarly = 2;
+constexpr int kNothingWritten = 1, kEndedEarly = 2, kMissed = 3;
 
 struct Options {
-  std::string recipe;
+  std::string recipe;  // or a pattern, where width > 0
   std::string out;
+  double width = 0;    // [m]
   double every = 0.1;  // [s]
   Overrides overrides;
 };
@@ -56,6 +65,11 @@ double positiveNumber(const std::string& option, const std::string& text) {
   return value;
 }
 
+bool isRecipe(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".yaml" || extension == ".yml";
+}
+
 Options parse(const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -66,12 +80,21 @@ Options parse(const std::vector<std::string>& arguments) {
     };
     if (word == "--out") options.out = value();
     else if (word == "--set") options.overrides.push_back(splitOverride(value()));
+    else if (word == "--width") options.width = positiveNumber(word, value());
     else if (word == "--every") options.every = positiveNumber(word, value());
     else if (word.rfind("--", 0) == 0) throw std::invalid_argument("unknown option " + word);
     else if (options.recipe.empty()) options.recipe = word;
     else throw std::invalid_argument("more than one recipe: " + options.recipe + ", " + word);
   }
   if (options.recipe.empty()) throw std::invalid_argument("no recipe is given");
+  if (options.width == 0 && !isRecipe(options.recipe)) {
+    throw std::invalid_argument("--width WIDTH is missing, without which the pattern " +
+                                options.recipe + " has no size");
+  }
+  if (options.width > 0 && isRecipe(options.recipe)) {
+    throw std::invalid_argument("--width is for patterns; the recipe " + options.recipe +
+                                " states the size of its sheet");
+  }
   if (options.out.empty()) throw std::invalid_argument("--out DIR is missing");
   return options;
 }
@@ -151,7 +174,9 @@ std::string run(RecipeRunner& runner, Simulation& simulation, Frames& frames) {
 }
 
 int fold(const Options& options) {
-  RecipeRunner runner(loadRecipe(options.recipe, {}, {}, options.overrides));
+  RecipeRunner runner(options.width > 0 ? readRecipe(patternRecipe(options.recipe, options.width),
+                                                     {}, {}, options.overrides)
+                                        : loadRecipe(options.recipe, {}, {}, options.overrides));
   std::vector<std::string> notes;
   Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config, &notes);
   for (const std::string& note : notes) std::cerr << "origami_batch: " << note << "\n";
@@ -163,7 +188,12 @@ int fold(const Options& options) {
   const std::string folder = expandedPath(options.out);
   writeResults(simulation, {name, wall.count(), failure, runner.place().timeouts}, folder,
                {frames.file(simulation, name)});
-  if (failure.empty()) return 0;
+  if (failure.empty()) {
+    const std::string missed = missedSentence(missedCreases(simulation));
+    if (missed.empty()) return 0;
+    std::cerr << "origami_batch: " << missed << "\n";
+    return kMissed;
+  }
   std::cerr << "origami_batch: ended early, in step " << runner.place().step + 1 << " of "
             << runner.recipe().steps.size() << " at " << simulation.time() << " s: " << failure
             << "\nThe paper as it was then is in " << folder << "\n";

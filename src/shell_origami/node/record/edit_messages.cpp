@@ -103,6 +103,7 @@ template <class Link, class Edit, class Message>
 void linkFields(const Link& link, FoldEdit*, Edit& edit, Message& message) {
   link(edit.where, message.crease, message.line);
   link(edit.angle, message.angle);
+  link(edit.part, message.part);
   link(edit.duration, message.duration);
   link(edit.stiffness, message.stiffness);
   link(edit.name, message.name);

@@ -1,0 +1,119 @@
+#include <shell_origami/origami/outcome.h>
+
+#include <shell_origami/sheet/rigid_panels.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace shell_origami {
+namespace {
+
+double inDegrees(double radians) { return radians * 180 / M_PI; }
+
+/// Beyond this angle a crease is meant to lie flat.
+constexpr double kMeantFlat = 170 * M_PI / 180;
+/// Panels that close but for more than this are open [rad]: files round their angles.
+constexpr double kOpen = M_PI / 180;
+/// Sectors that miss Kawasaki's sum by more do not fold flat.
+constexpr double kSectors = M_PI / 180;
+
+/// What the creases of a sheet were to reach [rad]; NaN: a free crease.
+struct Targets {
+  std::vector<double> asked;
+  std::vector<double> meant;  ///< those beyond kMeantFlat at 180 degrees
+
+  explicit Targets(const std::vector<CreaseStatus>& creases) {
+    for (const CreaseStatus& crease : creases) {
+      asked.push_back(crease.driven ? crease.target_angle : std::nan(""));
+      const bool flat = std::abs(asked.back()) >= kMeantFlat;
+      meant.push_back(flat ? std::copysign(M_PI, asked.back()) : asked.back());
+    }
+  }
+};
+
+/// Says why an inner vertex all of whose creases are to lie flat cannot; empty where it can.
+std::string notFlatBecause(const Sheet& sheet, int vertex, const std::vector<double>& around) {
+  std::ostringstream text;
+  const double kawasaki = kawasakiError(sheet, vertex);
+  const auto valleys = std::count_if(around.begin(), around.end(), [](double a) { return a > 0; });
+  const auto count = static_cast<std::ptrdiff_t>(around.size());
+  if (count % 2 == 1) {
+    text << "does not fold flat: an odd number of creases meets there, " << count;
+  } else if (kawasaki > kSectors) {
+    text << "does not fold flat: every other sector around it adds up to 180 degrees but for "
+         << inDegrees(kawasaki) << " (Kawasaki)";
+  } else if (std::abs(2 * valleys - count) != 2) {
+    text << "does not fold flat: it has " << valleys << " valleys and " << count - valleys
+         << " mountains, which must differ by 2 (Maekawa)";
+  }
+  return text.str();
+}
+
+/// Says why rigid panels do not close around a vertex; empty where they do, where a free crease may
+/// adapt, and on the border.
+std::string openBecause(const Sheet& sheet, int vertex, const Targets& targets) {
+  if (sheet.triangulation().onBorder(vertex)) return "";
+  const Vector2& p = sheet.flatPositions()[vertex];
+  std::ostringstream text;
+  text << "vertex " << vertex << " at (" << p.x() << ", " << p.y() << ") ";
+  const std::vector<double> around = anglesAround(sheet, vertex, targets.meant);
+  if (std::all_of(around.begin(), around.end(), [](double a) { return std::abs(a) == M_PI; })) {
+    const std::string why = notFlatBecause(sheet, vertex, around);
+    if (!why.empty()) return text.str() + why;
+  }
+  const double meant = closingError(sheet, vertex, targets.meant);
+  const double asked = closingError(sheet, vertex, targets.asked);
+  if (meant > kOpen) {
+    text << "is open: at these angles its panels do not close, by " << inDegrees(meant)
+         << " degrees";
+  } else if (asked > kOpen) {
+    text << "closes at 180 degrees only: at these angles its panels are open by "
+         << inDegrees(asked) << " degrees";
+  } else {
+    return "";
+  }
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<MissedCrease> missedCreases(const Simulation& simulation) {
+  const Sheet& sheet = simulation.sheet();
+  const std::vector<CreaseStatus> creases = simulation.creases();
+  const Targets targets(creases);
+  std::map<int, std::string> open;
+  std::vector<MissedCrease> missed;
+  for (std::size_t i = 0; i < creases.size(); ++i) {
+    const CreaseStatus& crease = creases[i];
+    if (!crease.driven || !(std::abs(crease.angle - crease.target_angle) > kMissedBy)) continue;
+    MissedCrease miss{crease.id, crease.name, crease.target_angle, crease.angle, ""};
+    for (int v : sheet.creases()[i].vertices) {
+      const auto [place, is_new] = open.emplace(v, "");
+      if (is_new) place->second = openBecause(sheet, v, targets);
+      if (miss.why.empty()) miss.why = place->second;
+    }
+    if (miss.why.empty())
+      miss.why = "other creases or pins hold it, or no motion of the panels leads there";
+    missed.push_back(std::move(miss));
+  }
+  return missed;
+}
+
+std::string missedSentence(const std::vector<MissedCrease>& missed) {
+  if (missed.empty()) return "";
+  const auto worst =
+      std::max_element(missed.begin(), missed.end(), [](const auto& a, const auto& b) {
+        return std::abs(a.angle - a.target) < std::abs(b.angle - b.target);
+      });
+  std::ostringstream text;
+  text.precision(4);
+  text << missed.size() << (missed.size() == 1 ? " crease has" : " creases have")
+       << " missed the target angle by more than " << inDegrees(kMissedBy) << " degrees, "
+       << worst->name << " by most (" << inDegrees(worst->angle) << " instead of "
+       << inDegrees(worst->target) << "): " << worst->why;
+  return text.str();
+}
+
+}  // namespace shell_origami

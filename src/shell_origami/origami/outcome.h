@@ -1,0 +1,31 @@
+/// \file
+/// What folding was asked for and did not reach.
+#pragma once
+
+#include <shell_origami/origami/simulation.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace shell_origami {
+
+/// A crease whose mean angle is farther than this from its target has missed it [rad].
+constexpr double kMissedBy = 5 * M_PI / 180;
+
+struct MissedCrease {
+  std::uint32_t id = 0;
+  std::string name;
+  double target = 0;  ///< [rad]
+  double angle = 0;   ///< mean [rad]
+  std::string why;    ///< the likely cause, one clause
+};
+
+/// The creases that folds have named and that are not where these folds end, in the order of the
+/// sheet's creases. Complete once no fold is running: one that runs has not missed anything yet.
+std::vector<MissedCrease> missedCreases(const Simulation& simulation);
+
+/// One sentence: how many creases missed their targets, and which one by most. Empty: none.
+std::string missedSentence(const std::vector<MissedCrease>& missed);
+
+}  // namespace shell_origami
