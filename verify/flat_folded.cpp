@@ -1,5 +1,6 @@
 /// Item 11: paper with fold angles of 180 degrees less d is O(d) away from the sheet reflected in
 /// its creases.
+#include <shell_origami/sheet/rigid_panels.h>
 #include "verify/rigid_origami.h"
 #include "verify/topics.h"
 
@@ -8,47 +9,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <queue>
 
 namespace shell_origami {
 namespace {
 
 const std::string kItem = "11 Flat-folded states";
 
-/// Reflection in the line through two points of the plane.
-Eigen::Affine2d reflection(const Vector2& a, const Vector2& b) {
-  const Vector2 along = (b - a).normalized();
-  const Eigen::Matrix2d mirror = 2 * along * along.transpose() - Eigen::Matrix2d::Identity();
-  return Eigen::Translation2d(a) * Eigen::Affine2d(mirror) * Eigen::Translation2d(-a);
-}
-
-/// The sheet with every crease folded to 180 degrees: neighboring triangles move alike, except
-/// across a crease, where the motion is reflected in the crease.
+/// The sheet with every crease folded to 180 degrees.
 Positions foldedFlat(const Sheet& sheet) {
-  const auto& flat = sheet.flatPositions();
-  std::vector<std::vector<const Edge*>> edges_of(sheet.triangles().size());
-  for (const Edge& edge : sheet.edges()) {
-    if (edge.onBorder()) continue;
-    for (int t : edge.triangles) edges_of[t].push_back(&edge);
-  }
-  Positions folded = Positions::Zero(3, sheet.vertexCount());
-  std::vector<bool> reached(sheet.triangles().size(), false);
-  std::queue<std::pair<int, Eigen::Affine2d>> next;
-  next.push({0, Eigen::Affine2d::Identity()});
-  reached[0] = true;
-  while (!next.empty()) {
-    const auto [t, motion] = next.front();
-    next.pop();
-    for (int v : sheet.triangles()[t]) folded.col(v).head<2>() = motion * flat[v];
-    for (const Edge* edge : edges_of[t]) {
-      const int other = edge->triangles[edge->triangles[0] == t];
-      if (reached[other]) continue;
-      reached[other] = true;
-      const auto [a, b] = edge->vertices;
-      next.push({other, edge->crease < 0 ? motion : motion * reflection(flat[a], flat[b])});
-    }
-  }
-  return folded;
+  return foldRigidly(sheet, std::vector<double>(sheet.creases().size(), M_PI));
 }
 
 /// Largest distance between points of two shapes after a rigid fit, over the size of the sheet.

@@ -6,6 +6,8 @@ import math
 # Of an edge. Between creases that lie close to each other, and that pins keep from folding, some
 # hundredths are real; what float32 leaves of a length is below that.
 MOST_STRAIN = 0.1
+# While creases of a pattern fold, paper gives way in its plane; a triangle collapses at 0.95.
+MOST_STRAIN_OF_SOFT_PAPER = 0.5
 
 
 class Broken(AssertionError):
@@ -70,9 +72,10 @@ def check_state(sheet, state):
     for crease in state.creases:
         angles = crease.angle, crease.rest_angle, crease.target_angle
         require(all(abs(angle) < math.pi for angle in angles), 'crease %d is shut', crease.id)
+    most = MOST_STRAIN if state.settled else MOST_STRAIN_OF_SOFT_PAPER
     for triangle in sheet.triangles:
         for a, b in edges_of(triangle):
             flat_length = distance(flat[a], flat[b])
             strain = distance(now[a], now[b]) / flat_length - 1
-            require(abs(strain) < MOST_STRAIN, 'edge %d, %d of %g m is strained by %g', a, b,
+            require(abs(strain) < most, 'edge %d, %d of %g m is strained by %g', a, b,
                     flat_length, strain)

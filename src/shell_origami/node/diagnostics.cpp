@@ -77,10 +77,11 @@ void Diagnostics::paper(Status& status) {
   const Simulation& simulation = origami_.session().simulation();
   const Energies energies = simulation.energies();
   const double strain = simulation.maxStrain();
-  warnOfStrain(strain);
+  const bool overstretched = strain > kBearableStrain && !simulation.soft();
+  warnOfStrain(strain, overstretched);
   const bool settled = simulation.settled();
   const std::vector<MissedCrease> missed = missedCreases(simulation);
-  if (strain > kBearableStrain) {
+  if (overstretched) {
     status.summaryf(DiagnosticStatus::WARN, "stretched by %.1f %%, further than paper bears",
                     100 * strain);
   } else if (settled && !missed.empty()) {
@@ -98,8 +99,8 @@ void Diagnostics::paper(Status& status) {
 }
 
 /// Once, and again only after the paper was relieved.
-void Diagnostics::warnOfStrain(double strain) {
-  if (strain > kBearableStrain && !overstretched_) {
+void Diagnostics::warnOfStrain(double strain, bool overstretched) {
+  if (overstretched && !overstretched_) {
     ROS_WARN(
         "the paper is stretched by %.1f %%, further than paper bears (%.0f %%): look at what "
         "holds it",

@@ -22,7 +22,7 @@ class Diagnostics {
   void solver(Status& status) const;
   void pace(Status& status) const;
   void paper(Status& status);
-  void warnOfStrain(double strain);
+  void warnOfStrain(double strain, bool overstretched);
 
   OrigamiNode& origami_;
   Counters counters_;           ///< when it was last told

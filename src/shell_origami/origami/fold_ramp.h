@@ -19,7 +19,7 @@ struct FoldRamp {
   double duration = 0;      ///< [s]; 0: at once
   double stiffness = 0;     ///< [N*m/rad per m]
   double set = 0;           ///< what yielding added to the rest angle [rad]
-  bool of_pattern = false;  ///< whether the fold named its crease, or a group of them
+  bool of_pattern = false;  ///< whether the fold named a crease of a loaded pattern
 
   /// Rest angle at simulation time t [rad].
   double angleAt(double t) const;

@@ -98,6 +98,8 @@ class Simulation {
   double maxStrain() const;
   /// Whether a ramp is still running.
   bool folding() const;
+  /// Whether the membrane is softer than the paper's, as it may be while a pattern folds.
+  bool soft() const { return compliance_.soft(); }
   /// Whether no ramp runs, the membrane is hard, and speeds (the kinetic energy) and accelerations
   /// (the residual force) are too small to see.
   bool settled() const;

@@ -112,7 +112,8 @@ void Simulation::foldNamed(const std::string& name, const FoldEdit& edit, EditRe
 }
 
 void Simulation::startRamp(int crease, double target, const FoldEdit& edit) {
-  const bool of_pattern = std::holds_alternative<CreaseName>(edit.where);
+  const bool of_pattern = std::holds_alternative<CreaseName>(edit.where) &&
+                          !std::isnan(sheet_.creases()[crease].pattern_angle);
   creases_.start(crease, target, time_, *edit.duration, *edit.stiffness, of_pattern, shell_.shell(),
                  motion_.positions);
 }
