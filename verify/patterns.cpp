@@ -59,7 +59,8 @@ int run(const std::vector<std::string>& words) {
         row += " SILENTLY OFF";
       }
     } catch (const std::invalid_argument& error) {
-      row = "| " + name + " | | | | | | | | " + error.what() + " |";
+      const std::string why = error.what();  // which begins with the path of the file
+      row = "| " + name + " | | | | | | | | " + why.substr(why.find(name)) + " |";
     }
     table << row << "\n" << std::flush;
     std::printf("%s\n", row.c_str());
