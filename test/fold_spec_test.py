@@ -244,6 +244,14 @@ class BatchTest(unittest.TestCase):
                                '--out', self.out, *options], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, universal_newlines=True)
 
+    def report(self):
+        with open(os.path.join(self.out, 'report.json')) as handle:
+            return json.load(handle)
+
+    def check_everything_is_written(self):
+        self.assertEqual(sorted(os.listdir(self.out)),
+                         ['final.fold', 'final.obj', 'frames.fold', 'report.json'])
+
     def test_a_crease_that_misses_its_target_is_said(self):
         batch = self.batch('sheet: {size: [0.1, 0.1], max_edge: 0.02}\n'
                            'steps:\n'
@@ -257,14 +265,6 @@ class BatchTest(unittest.TestCase):
         for crease in missed:
             self.assertGreater(abs(crease['target_deg'] - crease['angle_deg']), 5)
             self.assertIn('is open', crease['why'])
-
-    def report(self):
-        with open(os.path.join(self.out, 'report.json')) as handle:
-            return json.load(handle)
-
-    def check_everything_is_written(self):
-        self.assertEqual(sorted(os.listdir(self.out)),
-                         ['final.fold', 'final.obj', 'frames.fold', 'report.json'])
 
     def test_a_step_that_fails_leaves_the_paper_as_it_was_then(self):
         run = self.batch('sheet: {size: [0.1, 0.1], max_edge: 0.02}\n'

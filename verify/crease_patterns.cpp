@@ -17,7 +17,6 @@ namespace shell_origami {
 namespace {
 
 constexpr double kPart = 178.0 / 180;    ///< of the angles that a pattern asks for
-constexpr double kOpen = M_PI / 180;     ///< panels are open by less, as files round their angles
 constexpr double kRightDistance = 0.02;  ///< [widths]
 constexpr double kTimeout = 5;           ///< to settle [s]
 
@@ -55,7 +54,7 @@ std::optional<Positions> rigidState(const Sheet& sheet) {
     angles.push_back(std::isnan(crease.pattern_angle) ? 0 : crease.pattern_angle);
   }
   for (int v : innerCreaseVertices(sheet)) {
-    if (closingError(sheet, v, angles) > kOpen) return std::nullopt;
+    if (closingError(sheet, v, angles) > kClosingTolerance) return std::nullopt;
   }
   return foldRigidly(sheet, angles);
 }

@@ -3,6 +3,7 @@
 #include "verify/crease_patterns.h"
 
 #include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -103,21 +104,15 @@ std::vector<CreaseLine> foldRandomly(RandomSheets& random) {
 }
 
 void writePattern(const std::string& path, const std::vector<CreaseLine>& creases) {
-  std::ofstream file(path);
-  file.precision(17);
-  file << "{\"vertices_coords\": [[0, 0], [1, 0], [1, 1], [0, 1]";
+  nlohmann::json points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  nlohmann::json edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}}, kinds{"B", "B", "B", "B"};
   for (const CreaseLine& crease : creases) {
-    for (const Vector2& p : {crease.a, crease.b}) {
-      file << ", [" << p.x() << ", " << p.y() << "]";
-    }
+    edges.push_back({points.size(), points.size() + 1});
+    kinds.push_back(crease.valley ? "V" : "M");
+    for (const Vector2& p : {crease.a, crease.b}) points.push_back({p.x(), p.y()});
   }
-  file << "], \"edges_vertices\": [[0, 1], [1, 2], [2, 3], [3, 0]";
-  for (std::size_t i = 0; i < creases.size(); ++i) {
-    file << ", [" << 2 * i + 4 << ", " << 2 * i + 5 << "]";
-  }
-  file << "], \"edges_assignment\": [\"B\", \"B\", \"B\", \"B\"";
-  for (const CreaseLine& crease : creases) file << (crease.valley ? ", \"V\"" : ", \"M\"");
-  file << "]}";
+  std::ofstream(path) << nlohmann::json{
+      {"vertices_coords", points}, {"edges_vertices", edges}, {"edges_assignment", kinds}};
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ using tinyxml2::XMLElement;
 
 const std::set<std::string> kGroups{"g", "a", "switch"};
 const std::set<std::string> kShapes{"line", "polyline", "polygon", "rect", "path"};
-/// What may show lines, but none that are read.
+/// Elements that may draw lines but are not read.
 const std::set<std::string> kOtherShapes{"circle", "ellipse", "use", "text", "image", "svg"};
 
 /// The first words, for a message.

@@ -18,15 +18,15 @@ class SvgStyleSheet {
 
   /// Adds the rules of a <style> element.
   void add(const std::string& css);
-  /// What the element states: its attributes, before them rules for elements of its name, then of
-  /// its classes, and before all its own style attribute.
+  /// The properties of an element. Its attributes are overridden by rules for elements of its name,
+  /// these by rules for its classes, and these by its own style attribute.
   Properties propertiesOf(const tinyxml2::XMLElement& element) const;
 
  private:
   std::map<std::string, Properties> rules_;  ///< by selector
 };
 
-/// What an element's lines look like, with what its groups state.
+/// How the lines of an element look, including what it inherits from its groups.
 struct SvgStyle {
   std::string stroke;  ///< empty: not drawn
   double opacity = 1;  ///< of the element and its groups

@@ -30,7 +30,7 @@ void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives);
 ///         two finite ends.
 FoldEdit foldEdit(const msg::Fold::Request& request);
 
-/// What to pin. The ball's center is taken as it stands, whatever its frame.
+/// The vertices that a request pins. The center of the ball is not transformed from its frame.
 /// \throws std::invalid_argument unless exactly one of vertices, points, region and center with
 ///         radius is given, with finite numbers.
 PinWhere pinWhere(const msg::Pin::Request& request);

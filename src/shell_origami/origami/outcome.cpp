@@ -14,8 +14,6 @@ double inDegrees(double radians) { return radians * 180 / M_PI; }
 
 /// Beyond this angle a crease is meant to lie flat.
 constexpr double kMeantFlat = 170 * M_PI / 180;
-/// Panels that close but for more than this are open [rad]: files round their angles.
-constexpr double kOpen = M_PI / 180;
 /// Sectors that miss Kawasaki's sum by more do not fold flat.
 constexpr double kSectors = M_PI / 180;
 
@@ -65,10 +63,10 @@ std::string openBecause(const Sheet& sheet, int vertex, const Targets& targets) 
   }
   const double meant = closingError(sheet, vertex, targets.meant);
   const double asked = closingError(sheet, vertex, targets.asked);
-  if (meant > kOpen) {
+  if (meant > kClosingTolerance) {
     text << "is open: at these angles its panels do not close, by " << inDegrees(meant)
          << " degrees";
-  } else if (asked > kOpen) {
+  } else if (asked > kClosingTolerance) {
     text << "closes at 180 degrees only: at these angles its panels are open by "
          << inDegrees(asked) << " degrees";
   } else {

@@ -4,9 +4,13 @@
 
 #include <shell_origami/sheet/sheet.h>
 
+#include <cmath>
 #include <vector>
 
 namespace shell_origami {
+
+/// Panels that close but for less than this are taken to close [rad]: files round their angles.
+constexpr double kClosingTolerance = M_PI / 180;
 
 /// Returns where vertices are [m], one column each, if every crease has its angle (one for each
 /// crease [rad], valley > 0) and nothing else bends: triangle after triangle, starting from the

@@ -1,5 +1,5 @@
 /// \file
-/// What the colours of the drawn paper tell.
+/// Colors of the drawn paper by a measured quantity.
 #pragma once
 
 #include <shell_origami/node/draw/sheet_measures.h>
