@@ -65,9 +65,7 @@ class Springs : public Potential {
       blocks.add(i, hessian);
     }
   }
-  double maxFeasibleStep(const Positions&, const Iterate&, const Positions&) const override {
-    return 1;
-  }
+  double maxFeasibleStep(const Positions&, Iterate&, const Positions&) const override { return 1; }
 
  private:
   static Vector3 along(const Spring& spring, const Positions& x) {
@@ -96,7 +94,7 @@ class Floor : public Potential {
   void addGradient(const Positions&, Iterate&, Positions&) const override {}
   const Stencils& stencils(const Iterate&) const override { return none_; }
   void addHessian(const Positions&, const Iterate&, HessianKind, HessianBlocks&) const override {}
-  double maxFeasibleStep(const Positions& x, const Iterate&, const Positions& step) const override {
+  double maxFeasibleStep(const Positions& x, Iterate&, const Positions& step) const override {
     double part = 1;
     for (Eigen::Index v = 0; v < x.cols(); ++v) {
       if (step(2, v) < 0) part = std::min(part, -0.9 * x(2, v) / step(2, v));

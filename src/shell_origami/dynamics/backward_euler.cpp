@@ -12,6 +12,7 @@ bool BackwardEuler::step(const StepInput& input, double dt, Motion& motion, Step
   Positions x;
   if (!solver_.solve(input, inertia, predicted, dt, motion.positions, x, report)) return false;
   const Positions velocity = (x - motion.positions) / dt;
+  motion.rough = solver_.rough();
   motion.accelerations = (velocity - motion.velocities) / dt;
   motion.velocities = velocity;
   motion.positions = std::move(x);

@@ -30,6 +30,8 @@ class ImplicitSolver {
   double potentialChange(const Positions& before, const Positions& x) {
     return newton_.potentialChange(before, x);
   }
+  /// Whether forces at that x may jump within a step.
+  bool rough() const { return newton_.rough(); }
 
  private:
   double tolerance_;

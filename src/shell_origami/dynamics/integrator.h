@@ -18,7 +18,8 @@ struct Motion {
   Positions velocities;     ///< [m/s]
   Positions accelerations;  ///< [m/s^2]
   double acceleration_persistence =
-      1;  ///< part of its accelerations that the last step kept, 0 to 1
+      1;               ///< part of its accelerations that the last step kept, 0 to 1
+  bool rough = false;  ///< whether forces may jump in the next step, as where paper touches
 };
 
 /// Returns the kinetic energy [J] of velocities [m/s], one column a vertex; `masses` are lumped

@@ -54,6 +54,7 @@ bool Newmark::step(const StepInput& input, double dt, Motion& motion, StepReport
   }
   motion.acceleration_persistence =
       keptPart(motion.accelerations, acceleration_after_, input.masses);
+  motion.rough = solver_.rough();
   motion.positions.swap(x_);
   motion.velocities.swap(velocity_after_);
   motion.accelerations.swap(acceleration_after_);

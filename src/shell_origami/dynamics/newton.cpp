@@ -3,6 +3,7 @@
 #include <shell_origami/base/timer.h>
 
 #include <cmath>
+#include <limits>
 
 namespace shell_origami {
 namespace {
@@ -14,6 +15,8 @@ constexpr double kShrinks = 0.2;
 /// much shorter than the tolerance that must be.
 constexpr int kUnchecked = 3;
 constexpr double kSafety = 4;
+/// A step of which less than this part is permitted is replaced.
+constexpr double kBlocked = 0.5;
 /// Sufficient decrease of the line search (Armijo), and how often it halves the step.
 constexpr double kDecrease = 1e-4;
 constexpr int kHalvings = 25;
@@ -74,6 +77,12 @@ bool Newton::factorize(const Positions& x, NewtonResult& result) {
   return factorized_;
 }
 
+void Newton::setHeldZero(Positions& gradient) const {
+  for (std::size_t v = 0; v < free_.size(); ++v) {
+    if (!free_[v]) gradient.col(v).setZero();
+  }
+}
+
 /// Computes the factor's step down the gradient into step_, and its largest displacement [m].
 bool Newton::solve(NewtonResult& result) {
   const Timer timer(result.times.solve);
@@ -89,9 +98,7 @@ bool Newton::computeStep(const Positions& x, NewtonResult& result) {
   {
     const Timer timer(result.times.assembly);
     objective_.gradient(x, gradient_);
-    for (std::size_t v = 0; v < free_.size(); ++v) {
-      if (!free_[v]) gradient_.col(v).setZero();
-    }
+    setHeldZero(gradient_);
     result.gradient_norm = gradient_.norm();
   }
   if (!std::isfinite(result.gradient_norm)) return false;
@@ -105,8 +112,30 @@ bool Newton::computeStep(const Positions& x, NewtonResult& result) {
     if (!factorize(x, result) || !solve(result)) return false;
   }
   const Timer timer(result.times.search);
-  step_ *= objective_.maxFeasibleStep(x, step_);
+  const double part = objective_.maxFeasibleStep(x, step_);
+  step_ *= part < kBlocked ? avoidImpacts(x, part, result) : part;
   return step_.allFinite();
+}
+
+/// Replaces a step of which the potentials permit only this part by one that stops at what it would
+/// run into, so that all impacts of a step are met in one iteration and not each in its own.
+/// Returns the part of that step that is permitted.
+double Newton::avoidImpacts(const Positions& x, double part, NewtonResult& result) {
+  blocked_ = step_;
+  anticipated_ = gradient_;
+  if (!objective_.anticipate(x, step_, anticipated_)) return part;
+  setHeldZero(anticipated_);
+  gradient_.swap(anticipated_);
+  const double length = result.last_step;
+  const bool solved = factorize(x, result) && solve(result);
+  gradient_.swap(anticipated_);
+  factorized_ = false;  // the factor is that of the impacts as well
+  if (solved && gradient_.cwiseProduct(step_).sum() < 0) {
+    return objective_.maxFeasibleStep(x, step_);
+  }
+  step_ = blocked_;
+  result.last_step = length;
+  return part;
 }
 
 /// Whether the paper is within the tolerance once it has taken this step: because the step is that
@@ -147,6 +176,24 @@ double Newton::potentialChange(const Positions& before, const Positions& x) {
   return objective_.potentialChange(before, x);
 }
 
+/// Begins at x, or, where potentials stopped some vertices on the way there and so stretched the
+/// paper, where it was before, if that is lower.
+bool Newton::begin(const Positions& before, Positions& x) {
+  trial_ = x;
+  const bool reached = objective_.begin(before, x);
+  if (reached && trial_ == x) return true;
+  const double value = reached ? objective_.value() : std::numeric_limits<double>::infinity();
+  base_.x = before;
+  for (std::size_t v = 0; v < free_.size(); ++v) {
+    if (!free_[v]) base_.x.col(v) = trial_.col(v);
+  }
+  if (objective_.begin(before, base_.x) && objective_.value() < value) {
+    x = base_.x;
+    return true;
+  }
+  return reached && objective_.begin(before, x);
+}
+
 NewtonResult Newton::minimize(const Potentials& potentials, const Eigen::VectorXd& masses,
                               const Inertia& inertia, const Positions& before, double tolerance,
                               int max_iterations, Positions& x) {
@@ -155,7 +202,7 @@ NewtonResult Newton::minimize(const Potentials& potentials, const Eigen::VectorX
   factorized_ = false;
   {
     const Timer timer(result.times.search);
-    if (!objective_.begin(before, x)) {
+    if (!begin(before, x)) {
       const auto infeasibility = objective_.findInfeasibility(x);
       result.failure = infeasibility ? infeasibility->what : "the energy is not finite";
       if (infeasibility) result.vertex = infeasibility->vertex;

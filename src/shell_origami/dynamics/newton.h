@@ -41,8 +41,7 @@ struct NewtonResult {
   SolverTimes times;
 };
 
-/// Newton's method on the free vertices, with three peculiarities of thin paper, which hardly
-/// stretches:
+/// Newton's method on the free vertices, with peculiarities of thin paper, which hardly stretches:
 /// - The stress in the geometric stiffness is not that of the iterate, which a turn along its
 ///   tangent has stretched, but what the last step predicted to first order, and at the start that
 ///   of the last equilibrium (the mixed integration points of Magisano, Leonetti and Garcea 2017;
@@ -50,6 +49,9 @@ struct NewtonResult {
 /// - A factor serves as long as the steps it gives shrink fast (simplified Newton).
 /// - The line search forgives one step uphill, which the next may take back; where it does not, the
 ///   search goes back and shortens the first (a watchdog, Chamberlain et al. 1982).
+/// - A step that runs into something is computed again with a spring at each impact
+///   (Potential::anticipate). Paper that meets paper in a hundred places would otherwise be stopped
+///   at each of them in turn.
 class Newton {
  public:
   /// Says that the mesh, the potentials or the held vertices changed. `free[v]` is false for held
@@ -69,6 +71,8 @@ class Newton {
   /// Returns by how much the potentials at x, the minimum found last, are above those at `before`
   /// of that search [J].
   double potentialChange(const Positions& before, const Positions& x);
+  /// Whether forces at that minimum may jump within a step.
+  bool rough() const { return objective_.rough(); }
 
  private:
   /// Where a search along a step begins.
@@ -78,10 +82,13 @@ class Newton {
     double slope = 0;  ///< its first-order change along the step [J]
   };
 
+  bool begin(const Positions& before, Positions& x);
   bool assembleAndFactorize(const Positions& x, HessianKind kind, NewtonResult& result);
   bool factorize(const Positions& x, NewtonResult& result);
   bool solve(NewtonResult& result);
   bool computeStep(const Positions& x, NewtonResult& result);
+  double avoidImpacts(const Positions& x, double part, NewtonResult& result);
+  void setHeldZero(Positions& gradient) const;
   bool isClose(const NewtonResult& result, double tolerance);
   bool backtrack(bool uphill);
   void remember(const Positions& x);
@@ -93,7 +100,7 @@ class Newton {
   SolverState state_;
   // Scratch, kept between iterations and steps.
   Base base_;
-  Positions gradient_, step_, trial_;
+  Positions gradient_, step_, trial_, blocked_, anticipated_;
 };
 
 }  // namespace shell_origami

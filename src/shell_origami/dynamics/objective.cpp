@@ -43,8 +43,9 @@ void Objective::start(const Positions& before) {
   for (Term& term : terms_) term.potential->start(before, *term.before);
 }
 
-bool Objective::begin(const Positions& before, const Positions& x) {
+bool Objective::begin(const Positions& before, Positions& x) {
   start(before);
+  for (Term& term : terms_) term.potential->filterStart(before, *term.before, x);
   value_ = evaluate(x, &Term::before, &Term::current);
   if (!std::isfinite(value_)) return false;
   // As if nothing had moved since the last equilibrium, whose stress is the best guess.
@@ -89,12 +90,25 @@ void Objective::addHessian(std::size_t potential, const Positions& x, HessianKin
   term.potential->addHessian(x, *term.current, kind, blocks);
 }
 
-double Objective::maxFeasibleStep(const Positions& x, const Positions& step) const {
+double Objective::maxFeasibleStep(const Positions& x, const Positions& step) {
   double part = 1;
-  for (const Term& term : terms_) {
+  for (Term& term : terms_) {
     part = std::min(part, term.potential->maxFeasibleStep(x, *term.current, step));
   }
   return part;
+}
+
+bool Objective::anticipate(const Positions& x, const Positions& step, Positions& gradient) {
+  bool any = false;
+  for (Term& term : terms_) any |= term.potential->anticipate(x, *term.current, step);
+  if (!any) return false;
+  for (const Term& term : terms_) term.potential->addAnticipated(x, *term.current, gradient);
+  return true;
+}
+
+bool Objective::rough() const {
+  return std::any_of(terms_.begin(), terms_.end(),
+                     [](const Term& term) { return term.potential->rough(*term.current); });
 }
 
 double Objective::tryFromCurrent(const Positions& x) {

@@ -36,8 +36,9 @@ class Objective {
 
   /// Makes `before` the configuration from which the others are reached. \pre it is feasible
   void start(const Positions& before);
-  /// Makes x current, reached from `before`. Returns false where a potential does not permit it.
-  bool begin(const Positions& before, const Positions& x);
+  /// Makes x current, reached from `before`, as far as the potentials let its vertices go. Returns
+  /// false where one does not permit it at all.
+  bool begin(const Positions& before, Positions& x);
   /// Writes the gradient [N] at the configuration that start() was given.
   void startGradient(const Positions& before, Positions& gradient);
   /// Says why x cannot be reached from that configuration; nothing where it can.
@@ -54,7 +55,13 @@ class Objective {
   double inertiaStiffness() const { return inertia_ ? inertia_->stiffness : 0; }
   const Eigen::VectorXd& masses() const { return *masses_; }
   /// Returns the part of a step that every potential permits from the current configuration x.
-  double maxFeasibleStep(const Positions& x, const Positions& step) const;
+  double maxFeasibleStep(const Positions& x, const Positions& step);
+  /// Lets the potentials look for what a whole step from the current configuration x would run
+  /// into. Returns whether there is any, which addHessian() then takes into account, and adds its
+  /// gradient.
+  bool anticipate(const Positions& x, const Positions& step, Positions& gradient);
+  /// Whether a potential's forces at the current configuration may jump within a step.
+  bool rough() const;
 
   /// Makes x the trial, reached from the current configuration. Returns its value [J], infinite
   /// where it is infeasible.

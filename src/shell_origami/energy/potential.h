@@ -57,9 +57,24 @@ class Potential {
   virtual const Stencils& stencils(const Iterate& at) const = 0;
   virtual void addHessian(const Positions& x, const Iterate& at, HessianKind kind,
                           HessianBlocks& blocks) const = 0;
-  /// Returns the largest part of `step` in (0, 1] that Newton's method may take from x.
-  virtual double maxFeasibleStep(const Positions& x, const Iterate& at,
-                                 const Positions& step) const = 0;
+  /// Returns the largest part of `step` in [0, 1] that Newton's method may take from x.
+  virtual double maxFeasibleStep(const Positions& x, Iterate& at, const Positions& step) const = 0;
+  /// Looks for what a whole `step` from x would run into, and adds to the Hessian and, by
+  /// addAnticipated(), to the gradient a spring for each of these, which stops the next step there.
+  /// It is no part of the energy. Returns whether there is any; the next addGradient() forgets
+  /// them.
+  virtual bool anticipate(const Positions& /*x*/, Iterate& /*at*/,
+                          const Positions& /*step*/) const {
+    return false;
+  }
+  virtual void addAnticipated(const Positions& /*x*/, const Iterate& /*at*/,
+                              Positions& /*gradient*/) const {}
+  /// Moves vertices of x, where a step is to start, towards `before`, where it came from and that
+  /// `at` is of, until x can be reached. What it leaves infeasible is found by value().
+  virtual void filterStart(const Positions& /*before*/, Iterate& /*at*/, Positions& /*x*/) const {}
+  /// Whether forces at the iterate may jump within a step, as where paper touches. The next step
+  /// then does not assume that accelerations persist.
+  virtual bool rough(const Iterate& /*at*/) const { return false; }
   /// Stores in `at`, the iterate at x + displacement, changes to first order from x that make the
   /// Hessian better than the exact ones do (the membrane's stress).
   virtual void predict(const Positions& /*x*/, const Positions& /*displacement*/,

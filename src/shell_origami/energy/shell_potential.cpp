@@ -59,7 +59,7 @@ void ShellPotential::addHessian(const Positions& x, const Iterate& at, HessianKi
   shell_.addHessian(x, rest, own.angles, own.angle_gradients, own.strains, kind, blocks);
 }
 
-double ShellPotential::maxFeasibleStep(const Positions& /*x*/, const Iterate& at,
+double ShellPotential::maxFeasibleStep(const Positions& /*x*/, Iterate& at,
                                        const Positions& step) const {
   return shell_.maxFeasibleStep(of(at).angles, of(at).angle_gradients, step);
 }

@@ -37,8 +37,7 @@ class ShellPotential : public Potential {
   const Stencils& stencils(const Iterate& at) const override;
   void addHessian(const Positions& x, const Iterate& at, HessianKind kind,
                   HessianBlocks& blocks) const override;
-  double maxFeasibleStep(const Positions& x, const Iterate& at,
-                         const Positions& step) const override;
+  double maxFeasibleStep(const Positions& x, Iterate& at, const Positions& step) const override;
   void predict(const Positions& x, const Positions& displacement, Iterate& at) const override;
   std::optional<Infeasibility> findJump(const Iterate& from, const Iterate& to) const override;
 };

@@ -2,6 +2,7 @@
 /// Everything about a simulation but the sheet.
 #pragma once
 
+#include <shell_origami/contact/contact_potential.h>
 #include <shell_origami/dynamics/integrator.h>
 #include <shell_origami/energy/material.h>
 #include <shell_origami/energy/rest_shape.h>
@@ -15,6 +16,7 @@ struct SimulationConfig {
   SolverConfig solver;
   double fold_duration = 1.0;  ///< of a fold that states none [s]
   ComplianceConfig compliance;
+  ContactConfig contact;
   NaturalCurvature rest;  ///< how the sheet is rolled up when it rests
 };
 

@@ -91,6 +91,10 @@ const ParameterTable<SimulationConfig>& simulationParameters() {
        "times that the membrane is softer while creases fold; 0: where a pattern needs it",
        "",
        {1, 1e6, false, true}},
+      {"contact/enabled", [](Config& config) { return Place(&config.contact.enabled); },
+       "whether paper cannot pass through itself", "", kUnbounded},
+      {"contact/distance", [](Config& config) { return Place(&config.contact.distance); },
+       "within which paper begins to push paper away", "m", between(1e-6, 1e-2)},
       {"compliance/where", compliantRegion, "which triangles are softer", "", kUnbounded}};
   return table;
 }

@@ -357,7 +357,7 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
   SimulationConfig& config = recipe.config;
   YAML::Node steps;
   Reader::Handlers handlers = parametersIn("", reader, config);
-  for (const std::string group : {"material", "solver", "compliance"}) {
+  for (const std::string group : {"material", "solver", "compliance", "contact"}) {
     handlers[group] = [&reader, &config, group](const YAML::Node& node) {
       reader.readMap(node, group, parametersIn(group + "/", reader, config));
     };

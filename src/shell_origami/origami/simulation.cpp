@@ -1,6 +1,7 @@
 #include <shell_origami/origami/simulation.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/mesh/intersections.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,14 @@ constexpr double kAtRest = 0.01;
 SimulationConfig checked(const SimulationConfig& config) {
   checkConfig(config);
   return config;
+}
+
+/// Of a pair in contact [N/m], as a part of the membrane's. As stiff as creases lever the paper
+/// against itself; a softer barrier lets gaps shrink to nothing, and steps take a hundred
+/// iterations.
+double contactStiffness(const Material& material) {
+  constexpr double kPart = 0.02;
+  return kPart * material.youngs_modulus * material.thickness;
 }
 
 double rootMeanSquare(const Positions& values) {
@@ -117,6 +126,9 @@ void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_b
 
 void Simulation::topologyChanged() {
   shell_ = ShellPotential(sheet_, config_.material, config_.gravity);
+  if (config_.contact.enabled) {
+    contact_.emplace(sheet_, config_.contact.distance, contactStiffness(config_.material));
+  }
   rest_.apply(shell_.shell(), shell_.rest);
   updateRestState(time_);
   pinsChanged();
@@ -125,6 +137,7 @@ void Simulation::topologyChanged() {
 /// The energies that move the paper. Made anew at each call, for a simulation may be moved.
 const Potentials& Simulation::potentials() {
   potentials_.assign(1, &shell_);
+  if (contact_) potentials_.push_back(&*contact_);
   return potentials_;
 }
 
@@ -204,6 +217,21 @@ StepReport Simulation::step() {
   return report;
 }
 
+std::vector<std::array<int, 2>> Simulation::crossings() const {
+  // The sides of a slit are one on the flat sheet.
+  std::vector<int> names(sheet_.vertexCount());
+  std::map<std::pair<double, double>, int> first;
+  for (int v = 0; v < sheet_.vertexCount(); ++v) {
+    const Vector2& p = sheet_.flatPositions()[v];
+    names[v] = first.emplace(std::make_pair(p.x(), p.y()), v).first->second;
+  }
+  return intersections(motion_.positions, sheet_.triangles(), names);
+}
+
+std::vector<Contact> Simulation::contacts() const {
+  return contact_ ? contact_->contacts(motion_.positions) : std::vector<Contact>();
+}
+
 std::vector<CreaseStatus> Simulation::creases() const {
   std::vector<CreaseStatus> result;
   for (std::size_t i = 0; i < sheet_.creases().size(); ++i) {
@@ -236,6 +264,7 @@ Energies Simulation::energies() const {
   energies.membrane = shell_.membraneEnergy(motion_.positions);
   energies.bending = shell_.bendingEnergy(motion_.positions);
   energies.gravity = shell_.gravityEnergy(motion_.positions);
+  if (contact_) energies.contact = contact_->energy(motion_.positions);
   energies.kinetic = kineticEnergy(motion_.velocities, shell_.shell().masses());
   return energies;
 }

@@ -36,7 +36,7 @@ struct CreaseStatus {
 };
 
 struct Energies {
-  double membrane = 0, bending = 0, kinetic = 0, gravity = 0;  ///< [J]
+  double membrane = 0, bending = 0, kinetic = 0, gravity = 0, contact = 0;  ///< [J]
 
   double strain() const { return membrane + bending; }
 };
@@ -82,6 +82,11 @@ class Simulation {
   const SimulationConfig& config() const { return config_; }
   const Positions& positions() const { return motion_.positions; }
   const Positions& velocities() const { return motion_.velocities; }
+  /// The pairs of triangles that pass through each other, found by an exact check that has nothing
+  /// in common with contact.
+  std::vector<std::array<int, 2>> crossings() const;
+  /// The parts of the paper that touch, in a fixed order.
+  std::vector<Contact> contacts() const;
   const HeldVertices& held() const { return held_; }
   const std::set<int>& pinned() const { return held_.all(); }
   const Counters& counters() const { return counters_; }
@@ -130,7 +135,8 @@ class Simulation {
   SimulationConfig config_;
   Sheet sheet_;
   ShellPotential shell_;
-  Potentials potentials_;  ///< scratch of potentials()
+  std::optional<ContactPotential> contact_;  ///< none where paper may pass through itself
+  Potentials potentials_;                    ///< scratch of potentials()
   Motion motion_;
   CreaseActuation creases_;
   Compliance compliance_;

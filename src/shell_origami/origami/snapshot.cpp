@@ -217,7 +217,8 @@ Snapshot read(const Json& json) {
   sheet.validate();
   const int count = sheet.vertexCount();
   Motion motion{columns(json.at("positions"), count), columns(json.at("velocities"), count),
-                columns(json.at("accelerations"), count), json.at("acceleration_persistence")};
+                columns(json.at("accelerations"), count), json.at("acceleration_persistence"),
+                json.at("rough")};
   CreaseActuation creases = readCreases(json.at("creases"), sheet);
   RestShape rest = readRest(json.at("rest"), config.rest, sheet);
   const Json& memory = json.at("memory");
@@ -275,6 +276,7 @@ Json toJson(const Snapshot& snapshot) {
       {"velocities", numbers(snapshot.motion.velocities)},
       {"accelerations", numbers(snapshot.motion.accelerations)},
       {"acceleration_persistence", snapshot.motion.acceleration_persistence},
+      {"rough", snapshot.motion.rough},
       {"creases", {{"ramps", ramps}, {"stiffness", snapshot.creases.stiffness()}}},
       {"compliance",
        {{"factor", snapshot.compliance.factor()},

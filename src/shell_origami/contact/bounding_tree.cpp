@@ -1,0 +1,57 @@
+#include <shell_origami/contact/bounding_tree.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace shell_origami {
+
+BoundingTree::BoundingTree(const CollisionMesh& mesh) {
+  std::vector<Vector2> centers;
+  for (const CollisionMesh::Face& face : mesh.faces()) {
+    const auto& [a, b, c] = face.vertices;
+    const auto& flat = mesh.flatPositions();
+    centers.push_back((flat[a] + flat[b] + flat[c]) / 3);
+  }
+  std::vector<int> faces(centers.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  nodes_.reserve(2 * faces.size());
+  if (!faces.empty()) divide(centers, faces.begin(), faces.end());
+}
+
+/// Adds the node of these faces and those below it, halved across the longer side of the centers'
+/// box.
+void BoundingTree::divide(const std::vector<Vector2>& centers, std::vector<int>::iterator begin,
+                          std::vector<int>::iterator end) {
+  const std::size_t node = nodes_.size();
+  nodes_.emplace_back();
+  if (end - begin == 1) {
+    nodes_[node].face = *begin;
+    return;
+  }
+  Eigen::AlignedBox2d box;
+  for (auto face = begin; face != end; ++face) box.extend(centers[*face]);
+  const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+  const auto middle = begin + (end - begin) / 2;
+  std::nth_element(begin, middle, end, [&](int f, int g) {
+    return std::make_pair(centers[f][axis], f) < std::make_pair(centers[g][axis], g);
+  });
+  divide(centers, begin, middle);
+  nodes_[node].second = static_cast<int>(nodes_.size());
+  divide(centers, middle, end);
+}
+
+/// The box of each node encloses those of the corners of its faces.
+std::vector<Eigen::AlignedBox3d> BoundingTree::boxesOfNodes(
+    const CollisionMesh& mesh, const std::vector<Eigen::AlignedBox3d>& rooms) const {
+  std::vector<Eigen::AlignedBox3d> boxes(nodes_.size());
+  for (int i = static_cast<int>(nodes_.size()) - 1; i >= 0; --i) {
+    if (nodes_[i].second < 0) {
+      for (int v : mesh.faces()[nodes_[i].face].vertices) boxes[i].extend(rooms[v]);
+    } else {
+      boxes[i] = boxes[i + 1].merged(boxes[nodes_[i].second]);
+    }
+  }
+  return boxes;
+}
+
+}  // namespace shell_origami

@@ -1,0 +1,25 @@
+/// \file
+/// Continuous collision detection: how far a pair of primitives may move until it comes too close.
+#pragma once
+
+#include <shell_origami/contact/distance.h>
+
+namespace shell_origami {
+
+/// No motion brings two primitives closer than this [m]. It is far above the rounding of positions
+/// within 1000 m, so that a certificate in double precision holds for the exact motion as well.
+constexpr double kClosestGap = 1e-8;
+
+/// Returns a part in [0, 1] of the straight motion from `from` to `to` during which the primitives
+/// keep apart, never too large. They keep a part `kept` of their distance, or `enough` [m] where
+/// that is less, and kClosestGap or what they have already where that is less still.
+///
+/// Conservative advancement: the plane across the closest points separates the two convex
+/// primitives as long as their corners stay on their sides of it, which for a linear motion is
+/// decided at its end. A step is never shorter than that of additive CCD (Li, Kaufman and Jiang,
+/// Codimensional Incremental Potential Contact, 2021, section 5), and layers that slide along each
+/// other are not held up.
+double feasiblePart(PairKind kind, const PairPoints& from, const PairPoints& to, double kept,
+                    double enough);
+
+}  // namespace shell_origami

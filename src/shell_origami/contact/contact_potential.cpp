@@ -1,0 +1,286 @@
+#include <shell_origami/contact/contact_potential.h>
+
+#include <shell_origami/contact/guard.h>
+#include <shell_origami/contact/start_filter.h>
+
+#include <limits>
+
+namespace shell_origami {
+namespace {
+
+/// Part of the sheet's mean edge by which the rooms of candidates are larger than the motion that
+/// they are made for.
+constexpr double kMargin = 0.1;
+/// A spring at an anticipated impact: its stiffness over that of contact, and where it ends, in
+/// reaches.
+constexpr double kImpactStiffness = 3, kImpactGap = 0.7;
+
+/// A number that tells lists of stencils apart (FNV-1a).
+class Hash {
+ public:
+  void add(const ContactPair& pair) {
+    for (int v : pair.vertices) value = (value ^ static_cast<std::uint64_t>(v)) * 0x100000001b3;
+  }
+  std::uint64_t value = 0xcbf29ce484222325;
+};
+
+Eigen::Matrix<double, 12, 1> distanceGradient(const ClosestPoints& closest) {
+  const Vector3 direction = closest.direction();
+  Eigen::Matrix<double, 12, 1> gradient;
+  for (int k = 0; k < 4; ++k) gradient.segment<3>(3 * k) = closest.weights[k] * direction;
+  return gradient;
+}
+
+}  // namespace
+
+struct ContactPotential::ContactIterate : Potential::Iterate {
+  Positions x;
+  std::shared_ptr<const Candidates> candidates;  ///< which cover x
+  std::vector<double> gaps;                      ///< of each candidate, a lower bound [m]
+  std::vector<Contact> contacts;                 ///< closer than kNear reaches, in their order
+  std::vector<Impact> impacts;  ///< that a step would run into, until the next gradient
+  Stencils stencils;
+};
+
+const ContactPotential::ContactIterate& ContactPotential::of(const Iterate& at) {
+  return static_cast<const ContactIterate&>(at);
+}
+ContactPotential::ContactIterate& ContactPotential::of(Iterate& at) {
+  return static_cast<ContactIterate&>(at);
+}
+
+ContactPotential::ContactPotential(const Sheet& sheet, double distance, double stiffness)
+    : mesh_(sheet),
+      tree_(mesh_),
+      distance_(distance),
+      stiffness_(stiffness),
+      margin_(kMargin * sheet.meanEdge()) {}
+
+std::unique_ptr<Potential::Iterate> ContactPotential::makeIterate() const {
+  return std::make_unique<ContactIterate>();
+}
+
+std::shared_ptr<const Candidates> ContactPotential::candidatesOf(const Positions& from,
+                                                                 const Positions& to) const {
+  return std::make_shared<Candidates>(mesh_, tree_, from, to, distance_, margin_);
+}
+
+/// Makes the candidates of `at` cover `to` as well.
+void ContactPotential::cover(ContactIterate& at, const Positions& to) const {
+  if (at.candidates && at.candidates->cover(to)) return;
+  at.candidates = candidatesOf(at.x, to);
+  measure(at);
+}
+
+/// Computes the distances of all candidates, and the contacts.
+void ContactPotential::measure(ContactIterate& at) const {
+  at.gaps.clear();
+  at.contacts.clear();
+  at.impacts.clear();
+  for (const ContactPair& pair : at.candidates->pairs()) {
+    const ClosestPoints closest = closestPoints(pair.kind, pointsOf(pair, at.x));
+    at.gaps.push_back(closest.distance);
+    addContact(pair, closest, at);
+  }
+  finish(at);
+}
+
+/// Returns false where the pair is too far apart to be one.
+bool ContactPotential::addContact(const ContactPair& pair, const ClosestPoints& closest,
+                                  ContactIterate& at) const {
+  if (closest.distance >= kNear * pair.reach) return false;
+  Contact contact{pair, closest, logBarrier(closest.distance / pair.reach), {}};
+  if (pair.kind == PairKind::kEdgeEdge) {
+    contact.mollifier =
+        mollifier(pointsOf(pair, at.x), kParallel * mesh_.squaredProduct(pair.vertices));
+  }
+  at.contacts.push_back(contact);
+  return true;
+}
+
+void ContactPotential::finish(ContactIterate& at) const {
+  Hash hash;
+  for (const Contact& contact : at.contacts) hash.add(contact.pair);
+  for (const Impact& impact : at.impacts) hash.add(impact.pair);
+  at.stencils.restart(hash.value);
+  for (const Contact& contact : at.contacts) at.stencils.add(contact.pair.vertices.data(), 4);
+  for (const Impact& impact : at.impacts) at.stencils.add(impact.pair.vertices.data(), 4);
+}
+
+void ContactPotential::start(const Positions& x, Iterate& at) const {
+  ContactIterate& own = of(at);
+  own.x = x;
+  if (own.candidates && own.candidates->cover(x)) measure(own);
+  else cover(own, x);
+}
+
+void ContactPotential::filterStart(const Positions& before, Iterate& at, Positions& x) const {
+  ContactIterate& own = of(at);
+  cover(own, x);
+  separate(own.candidates->pairs(), own.gaps, before, x);
+}
+
+double ContactPotential::value(const Positions& x, const Iterate& from, Iterate& at) const {
+  const ContactIterate& source = of(from);
+  ContactIterate& own = of(at);
+  const bool covered = source.candidates->cover(x);
+  own.x = x;
+  own.candidates = covered ? source.candidates : candidatesOf(source.x, x);
+  own.contacts.clear();
+  own.impacts.clear();
+  const std::vector<ContactPair>& pairs = own.candidates->pairs();
+  own.gaps.resize(pairs.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const ContactPair& pair = pairs[i];
+    const double before =
+        covered ? source.gaps[i] : closestPoints(pair.kind, pointsOf(pair, source.x)).distance;
+    own.gaps[i] = before - approach(pair, source.x, x);
+    if (own.gaps[i] >= kNear * pair.reach) continue;
+    if (!isFree(pair, source.x, x)) return std::numeric_limits<double>::infinity();
+    const ClosestPoints closest = closestPoints(pair.kind, pointsOf(pair, x));
+    own.gaps[i] = closest.distance;
+    if (addContact(pair, closest, own)) sum += energyOf(own.contacts.back());
+  }
+  finish(own);
+  return sum;
+}
+
+std::optional<Infeasibility> ContactPotential::findInfeasibility(const Positions& x,
+                                                                 const Iterate& from) const {
+  const Positions& start = of(from).x;
+  for (const ContactPair& pair : candidatesOf(start, x)->pairs()) {
+    if (isFree(pair, start, x)) continue;
+    return Infeasibility{"paper would pass through paper", pair.vertices[0]};
+  }
+  return std::nullopt;
+}
+
+/// W = k r^2 m b(d / r) for the reach r, the mollifier m and the barrier b: k is the stiffness of
+/// contact whatever the reach.
+double ContactPotential::energyOf(const Contact& contact) const {
+  const double reach = contact.pair.reach;
+  return stiffness_ * reach * reach * contact.mollifier.value * contact.barrier.value;
+}
+
+void ContactPotential::addGradient(const Positions& /*x*/, Iterate& at, Positions& gradient) const {
+  if (!of(at).impacts.empty()) {
+    of(at).impacts.clear();
+    finish(of(at));
+  }
+  for (const Contact& contact : of(at).contacts) {
+    if (contact.barrier.value == 0) continue;
+    const double reach = contact.pair.reach;
+    const double force = stiffness_ * reach * contact.mollifier.value * contact.barrier.first;
+    const Vector3 direction = contact.closest.direction();
+    for (int k = 0; k < 4; ++k) {
+      auto column = gradient.col(contact.pair.vertices[k]);
+      column += force * contact.closest.weights[k] * direction;
+      if (contact.mollifier.value == 1) continue;
+      column += stiffness_ * reach * reach * contact.barrier.value * contact.mollifier.gradient[k];
+    }
+  }
+}
+
+const Stencils& ContactPotential::stencils(const Iterate& at) const { return of(at).stencils; }
+
+void ContactPotential::addHessian(const Positions& x, const Iterate& at, HessianKind kind,
+                                  HessianBlocks& blocks) const {
+  const std::vector<Contact>& contacts = of(at).contacts;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& contact = contacts[i];
+    if (contact.barrier.value == 0) continue;
+    const double stiffness = stiffness_ * contact.mollifier.value;
+    const Eigen::Matrix<double, 12, 1> gradient = distanceGradient(contact.closest);
+    const int stencil = static_cast<int>(i);
+    if (kind == HessianKind::kConvex || contact.mollifier.value < 1) {
+      blocks.addRankOne(stencil, stiffness * contact.barrier.second, gradient);
+      continue;
+    }
+    const Eigen::Matrix<double, 12, 12> curvature =
+        distanceHessian(pointsOf(contact.pair, x), contact.pair.kind, contact.closest);
+    blocks.add(stencil, Eigen::Matrix<double, 12, 12>(
+                            stiffness * (contact.barrier.second * gradient * gradient.transpose() +
+                                         contact.pair.reach * contact.barrier.first * curvature)));
+  }
+  const std::vector<Impact>& impacts = of(at).impacts;
+  for (std::size_t i = 0; i < impacts.size(); ++i) {
+    blocks.addRankOne(static_cast<int>(contacts.size() + i), kImpactStiffness * stiffness_,
+                      distanceGradient(impacts[i].closest));
+  }
+}
+
+bool ContactPotential::anticipate(const Positions& x, Iterate& at, const Positions& step) const {
+  ContactIterate& own = of(at);
+  const Positions to = x + step;
+  cover(own, to);
+  const std::vector<ContactPair>& pairs = own.candidates->pairs();
+  const std::size_t before = own.impacts.size();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const ContactPair& pair = pairs[i];
+    // What pushes already does without a spring.
+    if (own.gaps[i] < pair.reach) continue;
+    if (own.gaps[i] - approach(pair, x, to) >= kNear * pair.reach) continue;
+    const double part = freePart(pair, x, to);
+    if (part == 1) continue;
+    PairPoints there = pointsOf(pair, x);
+    for (int k = 0; k < 4; ++k) there[k] += part * step.col(pair.vertices[k]);
+    own.impacts.push_back({pair, closestPoints(pair.kind, there)});
+  }
+  if (own.impacts.size() == before) return false;
+  finish(own);
+  return true;
+}
+
+void ContactPotential::addAnticipated(const Positions& x, const Iterate& at,
+                                      Positions& gradient) const {
+  for (const auto& [pair, closest] : of(at).impacts) {
+    const Vector3 direction = closest.direction();
+    double gap = 0;
+    for (int k = 0; k < 4; ++k) gap += closest.weights[k] * direction.dot(x.col(pair.vertices[k]));
+    const double force = kImpactStiffness * stiffness_ * (gap - kImpactGap * pair.reach);
+    for (int k = 0; k < 4; ++k) {
+      gradient.col(pair.vertices[k]) += force * closest.weights[k] * direction;
+    }
+  }
+}
+
+double ContactPotential::maxFeasibleStep(const Positions& x, Iterate& at,
+                                         const Positions& step) const {
+  ContactIterate& own = of(at);
+  Positions to = x + step;
+  cover(own, to);
+  const std::vector<ContactPair>& pairs = own.candidates->pairs();
+  double part = 1;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (own.gaps[i] - part * approach(pairs[i], x, to) >= kNear * pairs[i].reach) continue;
+    const double free = freePart(pairs[i], x, to);
+    if (free < part) part = free;
+  }
+  return part;
+}
+
+bool ContactPotential::rough(const Iterate& at) const {
+  for (const Contact& contact : of(at).contacts) {
+    if (contact.barrier.value > 0) return true;
+  }
+  return false;
+}
+
+std::vector<Contact> ContactPotential::contacts(const Positions& x) const {
+  ContactIterate at;
+  start(x, at);
+  std::vector<Contact> within;
+  for (const Contact& contact : at.contacts) {
+    if (contact.closest.distance < contact.pair.reach) within.push_back(contact);
+  }
+  return within;
+}
+
+double ContactPotential::energy(const Positions& x) const {
+  double sum = 0;
+  for (const Contact& contact : contacts(x)) sum += energyOf(contact);
+  return sum;
+}
+
+}  // namespace shell_origami
