@@ -215,11 +215,25 @@ TEST(Ground, PaperCastsItsShadowThere) {
   EXPECT_NEAR(shadow.points[0].x, corner.x - 0.35 / 0.9 * 0.35, 1e-6);
 }
 
-TEST(Ground, PaperBelowItCastsNoShadow) {
-  Drawn drawn = atHeight(-0.3);
-  drawn.sheet.ground = -0.25F;
-  EXPECT_EQ(inNamespace(drawn.draw(), "shadow").at(0).action, Marker::DELETE);
-  EXPECT_EQ(inNamespace(drawn.draw(), "ground").at(0).action, Marker::ADD);
+TEST(Ground, WhatIsBelowItCastsNoShadow) {
+  Drawn drawn(paper(), [](const Vector2& p) { return Vector3(p.x(), p.y(), p.x() - 0.4 * kWidth); });
+  const std::size_t all = 3 * drawn.sheet.triangles.size();
+  drawn.sheet.ground = 0;
+  const std::size_t above = inNamespace(drawn.draw(), "shadow").at(0).points.size();
+  EXPECT_GT(above, all / 3);
+  EXPECT_LT(above, 2 * all / 3);
+}
+
+TEST(Ground, IsSeenAgainAndAgainByPaperThatFalls) {
+  for (const double height : {-0.01, -0.24, -0.26, -0.7, -50.0}) {
+    Drawn drawn = atHeight(height);
+    drawn.sheet.ground = -0.25F;
+    const double ground = groundUnder(drawn.positions(), kWidth, -0.25);
+    EXPECT_LT(ground, height);
+    EXPECT_GT(ground, height - 4.01 * kWidth);
+    EXPECT_NEAR(std::remainder(ground + 0.25, 4 * kWidth), 0, 1e-9);
+    EXPECT_EQ(inNamespace(drawn.draw(), "shadow").at(0).action, Marker::ADD) << height;
+  }
 }
 
 TEST(Ground, LinesAreAtRoundPlacesAroundThePaper) {
@@ -279,6 +293,10 @@ TEST(Labels, OverstretchedPaperIsMarked) {
   const Marker warning = inNamespace(drawn.draw(), "warning").at(0);
   EXPECT_EQ(warning.action, Marker::ADD);
   EXPECT_EQ(warning.text, "stretched by 12 %, further than paper bears");
+  // As for names, and unlike the paper's orange: in red it could not be read on the front.
+  EXPECT_LT(warning.color.r, 0.2);
+  drawn.state.soft = true;
+  EXPECT_EQ(inNamespace(drawn.draw(), "warning").at(0).action, Marker::DELETE);
 }
 
 TEST(Drawing, LooksTheSameWhileNothingMovesByMoreThanTheDistance) {

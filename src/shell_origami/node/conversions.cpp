@@ -118,6 +118,7 @@ msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs
   message.settled = simulation.settled();
   message.paused = paused;
   message.max_strain = static_cast<float>(simulation.maxStrain());
+  message.soft = simulation.soft();
   return message;
 }
 

@@ -18,6 +18,9 @@ const std_msgs::ColorRGBA kGrid = color(0.66, 0.68, 0.71);
 const std_msgs::ColorRGBA kShadow = color(0.74, 0.75, 0.78);
 /// Lines on either side of the middle.
 constexpr int kReach = 10;
+/// From one ground to the next over the size of the sheet. Paper falls at some 2 m/s: the grounds of
+/// closer ones would flicker.
+constexpr double kFall = 4;
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above a value.
 double roundedDown(double value) {
@@ -37,6 +40,12 @@ Eigen::Vector3d middle(const Eigen::Matrix3Xd& positions) {
 
 double groundBelow(const Eigen::Matrix3Xd& positions, double size) {
   return std::min(middle(positions).z() - 0.55 * size, positions.row(2).minCoeff() - 0.05 * size);
+}
+
+double groundUnder(const Eigen::Matrix3Xd& positions, double size, double ground) {
+  const double fallen = ground - middle(positions).z();
+  if (!(fallen > 0) || !std::isfinite(fallen)) return ground;
+  return ground - kFall * size * std::ceil(fallen / (kFall * size));
 }
 
 Marker groundGrid(const Eigen::Matrix3Xd& positions, double size, double ground,
@@ -62,8 +71,8 @@ Marker groundGrid(const Eigen::Matrix3Xd& positions, double size, double ground,
   return finished(marker);
 }
 
-Marker shadow(const Eigen::Matrix3Xd& positions, double size, const msg::Sheet& sheet,
-              const std_msgs::Header& header) {
+Marker shadow(const Eigen::Matrix3Xd& positions, double size, double ground,
+              const msg::Sheet& sheet, const std_msgs::Header& header) {
   Marker marker = newMarker("shadow", Marker::TRIANGLE_LIST, header);
   marker.color.a = 1;
   const Eigen::Vector3d& light = lightDirection();
@@ -72,7 +81,7 @@ Marker shadow(const Eigen::Matrix3Xd& positions, double size, const msg::Sheet& 
     bool above = true;
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d p = positions.col(triangle.vertex_indices[k]);
-      const double height = p.z() - sheet.ground;
+      const double height = p.z() - ground;
       above = above && height > 0;
       corners[k] = p - height / light.z() * light;
     }

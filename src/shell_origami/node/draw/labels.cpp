@@ -16,7 +16,6 @@ using visualization_msgs::Marker;
 using Points = Eigen::Matrix3Xd;
 
 const std_msgs::ColorRGBA kText = color(0.10, 0.10, 0.10);
-const std_msgs::ColorRGBA kWarning = color(0.75, 0.0, 0.0);
 /// Heights of letters over the paper's size.
 constexpr double kVertexId = 1.0 / 60;
 constexpr double kCreaseLabel = 1.0 / 35;
@@ -53,7 +52,7 @@ std::string creaseLabel(const msg::Crease& crease, double angle) {
 Marker strainWarning(const msg::SheetState& state, const Points& points, double size,
                      const std_msgs::Header& header) {
   Marker marker = newText("warning", 0, header, kWarningText * size);
-  if (!(state.max_strain > kBearableStrain)) {
+  if (state.soft || !(state.max_strain > kBearableStrain)) {
     marker.action = Marker::DELETE;
     return marker;
   }
@@ -61,7 +60,6 @@ Marker strainWarning(const msg::SheetState& state, const Points& points, double 
   std::snprintf(text, sizeof text, "stretched by %.0f %%, further than paper bears",
                 100 * state.max_strain);
   marker.text = text;
-  marker.color = kWarning;
   Eigen::Vector3d place = (points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2;
   place.z() = points.row(2).maxCoeff() + 2 * kWarningText * size;
   marker.pose.position = markerPoint(place);

@@ -25,8 +25,8 @@ class Labels {
 
   void choose(const LabelChoice& choice) { choice_ = choice; }
 
-  /// Appends the numbers of vertices, the names and angles of creases, and a warning where the
-  /// paper is stretched further than paper bears.
+  /// Appends the numbers of vertices, the names and angles of creases, and a warning if the paper,
+  /// unless it is soft, is stretched further than paper bears.
   /// \param points, normals  of the paper, a column a vertex
   /// \param size             of the flat sheet [m]
   void draw(const msg::Sheet& sheet, const msg::SheetState& state, const Eigen::Matrix3Xd& points,

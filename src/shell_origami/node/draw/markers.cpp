@@ -107,8 +107,9 @@ visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state
   array.markers.push_back(creases(tops, state));
   array.markers.push_back(border(tops));
   array.markers.push_back(pins(middle, state));
-  array.markers.push_back(shadow(middle, size_, sheet_, header_));
-  array.markers.push_back(groundGrid(middle, size_, sheet_.ground, header_));
+  const double ground = groundUnder(middle, size_, sheet_.ground);
+  array.markers.push_back(shadow(middle, size_, ground, sheet_, header_));
+  array.markers.push_back(groundGrid(middle, size_, ground, header_));
   labels_.draw(sheet_, state, middle, normal, size_, array);
   return array;
 }
