@@ -26,7 +26,9 @@ Recipe recipeOf(const std::string& path, double compliance) {
   steps << "[{fold: [{crease: all, part: " << kPart << "}]}, {settle: {timeout: " << kTimeout
         << "}}]";
   factor << compliance;
-  return readRecipe(patternRecipe(path, kPatternWidth), {}, {},
+  SheetSource sheet;
+  sheet.width = kPatternWidth;
+  return loadRecipe(path, {}, sheet,
                     {{"steps", steps.str()}, {"compliance/factor", factor.str()}});
 }
 

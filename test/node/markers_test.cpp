@@ -341,6 +341,8 @@ TEST(Camera, StandsWhereTheRecipeSaysOrBySize) {
   EXPECT_NEAR(viewOf(nullptr, 3).distance / viewOf(nullptr, 0.3).distance, 10, 1e-12);
   const Recipe silent = readRecipe({"yaml", "", "steps: []"});
   EXPECT_EQ(viewOf(&silent, 0.3).distance, viewOf(nullptr, 0.3).distance);
+  const Recipe pattern = readRecipe({"yaml", "", "sheet: {pattern: crane.fold}"});
+  EXPECT_LT(viewOf(&pattern, 0.3).distance, viewOf(nullptr, 0.3).distance);
   const Recipe recipe =
       readRecipe({"yaml", "", "view: {yaw_deg: 90, pitch_deg: 8, distance: 0.7}"});
   EXPECT_EQ(viewOf(&recipe, 0.3).distance, 0.7);

@@ -54,6 +54,22 @@ TEST_F(RecipeTest, SaysWhatItReads) {
   EXPECT_EQ(fold.folds[0].name, "middle");
 }
 
+TEST_F(RecipeTest, APatternIsFoldedToItsOwnAngles) {
+  const std::string pattern = testing::TempDir() + "/it's a pattern.cp";
+  std::ofstream(pattern) << "1 0 0 4 0\n1 4 0 4 2\n1 4 2 0 2\n1 0 2 0 0\n2 0 0 4 2\n";
+  SheetSource sheet;
+  sheet.width = 0.2;
+  const Recipe recipe = loadRecipe(pattern, {}, sheet, {{"material/thickness", "2e-4"}});
+  EXPECT_EQ(recipe.name, "it's a pattern");
+  EXPECT_DOUBLE_EQ(recipe.config.material.thickness, 2e-4);
+  RecipeRunner runner(recipe);
+  Simulation simulation = makeSimulation(recipe.sheet, recipe.config);
+  EXPECT_NEAR(simulation.sheet().size(), 0.2, 1e-12);
+  ASSERT_TRUE(runner.update(simulation));
+  ASSERT_EQ(simulation.creases().size(), 1u);
+  EXPECT_LT(simulation.creases()[0].target_angle, -3);
+}
+
 TEST_F(RecipeTest, ADrawnPatternHasTheWidthThatIsGiven) {
   const std::string drawing = testing::TempDir() + "/recipe_test.cp";
   std::ofstream(drawing) << "1 0 0 4 0\n1 4 0 4 2\n1 4 2 0 2\n1 0 2 0 0\n2 0 0 4 2\n3 0 2 4 0\n";

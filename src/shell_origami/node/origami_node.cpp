@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,8 +55,7 @@ Run beginRun(const NodeConfig& config, const Checkpoint& checkpoint) {
 
 Simulation paperFromFile(const NodeConfig& config, const std::string& path, double scale,
                          std::vector<std::string>& notes) {
-  const std::string extension = std::filesystem::path(path).extension();
-  if (extension == ".yaml" || extension == ".yml") {
+  if (isRecipe(path)) {
     if (scale != 0) {
       reject("scale is ", scale, ", but ", path, " is a recipe, which states its own scale");
     }

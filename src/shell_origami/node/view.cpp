@@ -3,8 +3,8 @@
 namespace shell_origami {
 namespace {
 
-/// Over the size of the sheet.
-constexpr double kDistance = 2.6;
+/// Over the size of the sheet. Patterns fold to a part of their size.
+constexpr double kDistance = 2.6, kPatternDistance = 1.8;
 constexpr double kSlack = 0.2;
 
 }  // namespace
@@ -12,7 +12,8 @@ constexpr double kSlack = 0.2;
 View viewOf(const Recipe* recipe, double sheet_size) {
   if (recipe && recipe->states("view")) return recipe->view;
   View view;
-  view.distance = kDistance * sheet_size;
+  const bool pattern = recipe && !recipe->sheet.pattern.empty();
+  view.distance = (pattern ? kPatternDistance : kDistance) * sheet_size;
   return view;
 }
 

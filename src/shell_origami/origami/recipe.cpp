@@ -1,7 +1,6 @@
 #include <shell_origami/origami/recipe.h>
 
 #include <shell_origami/base/error.h>
-#include <shell_origami/base/files.h>
 #include <shell_origami/mesh/mesh_refine.h>
 #include <shell_origami/mesh/triangulate.h>
 
@@ -9,17 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <limits>
 #include <sstream>
 
 namespace shell_origami {
 
 namespace {
-
-/// Of a pattern that is folded without a recipe: edges of its mesh across its width, and the time
-/// that it has to settle [s].
-constexpr double kEdgesOfAWidth = 10, kPatternTimeout = 10;
 
 FoldPaper readPaper(const SheetSource& source) {
   if (!source.pattern.empty()) {
@@ -50,20 +43,6 @@ Simulation makeSimulation(const SheetSource& source, const SimulationConfig& con
   const Eigen::Isometry3d pose = poseOf(source);
   const Positions positions = (pose.linear() * *paper.positions).colwise() + pose.translation();
   return Simulation(std::move(paper.sheet), config, positions, paper.rest_angles);
-}
-
-RecipeText patternRecipe(const std::string& path, double width) {
-  const std::filesystem::path file = std::filesystem::absolute(expandedPath(path));
-  std::string quoted;
-  for (const char c : file.string()) quoted += c == '\'' ? std::string("''") : std::string(1, c);
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << "sheet: {pattern: '" << quoted << "', form: flat, width: " << width
-       << ", max_edge: " << width / kEdgesOfAWidth << "}\n"
-       << "steps:\n"
-       << "  - fold: [{crease: all, part: 1}]\n"
-       << "  - settle: {timeout: " << kPatternTimeout << "}\n";
-  return {path, file.parent_path().string(), text.str()};
 }
 
 RecipeRunner::RecipeRunner(Recipe recipe, const RecipePlace& place)

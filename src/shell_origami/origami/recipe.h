@@ -66,8 +66,12 @@ struct Recipe {
 /// `key=value` pairs with the key's parts joined by '/', such as material/thickness=2e-4.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
+/// Whether a file is a recipe by its extension, .yaml or .yml. Others are crease patterns.
+bool isRecipe(const std::string& path);
+
 /// Reads a recipe. Unknown words are refused. Values the recipe does not state are those of
-/// `defaults`.
+/// `defaults`. The recipe of a crease pattern, `sheet.width` wide, folds every crease to the angle
+/// that the pattern asks for and waits until the paper has settled.
 /// \throws std::invalid_argument with one sentence naming file, line and offending value.
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults = {},
                   const SheetSource& sheet = {}, const Overrides& overrides = {});
@@ -75,10 +79,6 @@ Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults = {}
 /// The same of a recipe that is not in a file.
 Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults = {},
                   const SheetSource& sheet = {}, const Overrides& overrides = {});
-
-/// The text of a recipe that folds every crease of a pattern to the angle that the pattern asks for
-/// and waits until the paper has settled.
-RecipeText patternRecipe(const std::string& path, double width);
 
 /// How far a recipe is.
 struct RecipePlace {

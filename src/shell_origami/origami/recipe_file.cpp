@@ -7,7 +7,9 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -19,6 +21,9 @@ namespace fs = std::filesystem;
 constexpr double kDegree = M_PI / 180;
 /// Of a recipe's file.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
+/// Of a pattern that is folded without a recipe: edges of its mesh across its width, and the time
+/// that it has to settle [s].
+constexpr double kEdgesOfAWidth = 10, kPatternTimeout = 10;
 
 /// A recipe's file while it is read: knows where it is, for its complaints.
 class Reader {
@@ -377,7 +382,27 @@ void readRoot(const Reader& reader, const YAML::Node& root, const fs::path& fold
   }
 }
 
+/// Writes the recipe that folds a pattern.
+RecipeText patternRecipe(const std::string& path, double width) {
+  const fs::path file = fs::absolute(expandedPath(path));
+  std::string quoted;
+  for (const char c : file.string()) quoted += c == '\'' ? std::string("''") : std::string(1, c);
+  std::ostringstream text;
+  text.precision(std::numeric_limits<double>::max_digits10);
+  text << "sheet: {pattern: '" << quoted << "', form: flat, width: " << width
+       << ", max_edge: " << width / kEdgesOfAWidth << "}\n"
+       << "steps:\n"
+       << "  - fold: [{crease: all, part: 1}]\n"
+       << "  - settle: {timeout: " << kPatternTimeout << "}\n";
+  return {path, file.parent_path().string(), text.str()};
+}
+
 }  // namespace
+
+bool isRecipe(const std::string& path) {
+  const fs::path extension = fs::path(path).extension();
+  return extension == ".yaml" || extension == ".yml";
+}
 
 Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
                   const SheetSource& sheet, const Overrides& overrides) {
@@ -404,6 +429,9 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults,
 
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults,
                   const SheetSource& sheet, const Overrides& overrides) {
+  if (!isRecipe(path)) {
+    return readRecipe(patternRecipe(path, sheet.width), defaults, sheet, overrides);
+  }
   const std::string file = expandedPath(path);
   std::string text;
   try {

@@ -11,7 +11,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -63,11 +62,6 @@ double positiveNumber(const std::string& option, const std::string& text) {
     throw std::invalid_argument(option + " takes a positive number, not '" + text + "'");
   }
   return value;
-}
-
-bool isRecipe(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  return extension == ".yaml" || extension == ".yml";
 }
 
 Options parse(const std::vector<std::string>& arguments) {
@@ -174,9 +168,9 @@ std::string run(RecipeRunner& runner, Simulation& simulation, Frames& frames) {
 }
 
 int fold(const Options& options) {
-  RecipeRunner runner(options.width > 0 ? readRecipe(patternRecipe(options.recipe, options.width),
-                                                     {}, {}, options.overrides)
-                                        : loadRecipe(options.recipe, {}, {}, options.overrides));
+  SheetSource sheet;
+  if (options.width > 0) sheet.width = options.width;
+  RecipeRunner runner(loadRecipe(options.recipe, {}, sheet, options.overrides));
   std::vector<std::string> notes;
   Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config, &notes);
   for (const std::string& note : notes) std::cerr << "origami_batch: " << note << "\n";
