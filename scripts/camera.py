@@ -14,6 +14,7 @@ class Orbit:
         self.right = (-sy, cy, 0)
         self.up = (-sp * cy, -sp * sy, cp)
         self.back = (cp * cy, cp * sy, sp)
+        self.yaw, self.pitch = yaw, pitch
         self.slope = math.tan(field_of_view / 2)
         self.focal, self.distance = (0, 0, 0), 1
 

@@ -2,10 +2,12 @@
 import os
 
 import rosbag
+import rospy
 
 from rviz_config import Failure
 
-SHEET, STATE = "/origami/sheet", "/origami/state"
+# Of the node in the namespace that ROS_NAMESPACE names.
+SHEET, STATE = rospy.resolve_name("origami/sheet"), rospy.resolve_name("origami/state")
 
 
 class Recording:
