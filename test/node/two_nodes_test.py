@@ -33,6 +33,12 @@ def wait_until(holds, what, timeout=20):
         time.sleep(0.02)
 
 
+def connected(topic, way):
+    """The nodes that the master has registered as publishers (way 0) or subscribers (1) of a topic.
+    A node's name is known before its topics are."""
+    return dict(rosgraph.Master(rospy.get_name()).getSystemState()[way]).get(topic, [])
+
+
 class TwoNodesTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -87,21 +93,18 @@ class TwoNodesTest(unittest.TestCase):
             left.do('pin', vertices=[0], frame_id=frame)
 
     def test_each_has_a_hand_of_its_own(self):
-        published, subscribed, _ = rosgraph.Master(rospy.get_name()).getSystemState()
         for name in NAMES:
             hand = '/%s/hand' % name
             wait_until(lambda: self.buffer.can_transform('world', name + '/hand', rospy.Time()), hand)
-            self.assertIn(hand, dict(published)[hand + '/update'])
-            self.assertIn(hand, dict(subscribed)['/%s/origami/picked' % name])
+            wait_until(lambda: hand in connected(hand + '/update', 0), hand + ' shows itself')
+            wait_until(lambda: hand in connected('/%s/origami/picked' % name, 1), hand + ' hears clicks')
 
     def test_what_draws_a_recording_ends_no_node(self):
         painter = subprocess.Popen([program('origami_markers')],
                                    env=dict(os.environ, ROS_NAMESPACE='left'))
         self.addCleanup(painter.wait)
         self.addCleanup(painter.terminate)
-        wait_until(lambda: '/left/origami_markers' in rosnode.get_node_names(), 'it is registered')
-        topics = dict(rosgraph.Master(rospy.get_name()).getSystemState()[1])
-        self.assertIn('/left/origami_markers', topics['/left/origami/state'])
+        wait_until(lambda: '/left/origami_markers' in connected('/left/origami/state', 1), 'it listens')
         self.assertIsNone(painter.poll())
 
     def test_z_each_is_recorded_under_its_own_names(self):
