@@ -1,17 +1,64 @@
 #include <shell_origami/contact/distance.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace shell_origami {
 namespace {
 
+/// The weights' sum is zero: differences of points keep far from the origin what these would lose.
 ClosestPoints between(const PairPoints& x, const std::array<double, 4>& weights) {
   const Vector3 difference =
-      weights[0] * x[0] + weights[1] * x[1] + weights[2] * x[2] + weights[3] * x[3];
+      weights[1] * (x[1] - x[0]) + weights[2] * (x[2] - x[0]) + weights[3] * (x[3] - x[0]);
   return {weights, difference, difference.norm()};
+}
+
+/// Parameter of the point of a segment of this squared length that is closest to a point whose
+/// product with it, from its start, is `along`.
+double closestOn(double squared_length, double along) {
+  return squared_length > 0 ? std::clamp(along / squared_length, 0.0, 1.0) : 0;
+}
+
+/// Of the closest points of the three sides the one closest to x[0].
+std::array<double, 4> vertexSideWeights(const PairPoints& x) {
+  std::array<double, 4> closest{};
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const int i = 1 + k, j = 1 + (k + 1) % 3;
+    const Vector3 side = x[j] - x[i];
+    const double t = closestOn(side.squaredNorm(), side.dot(x[0] - x[i]));
+    std::array<double, 4> weights{1, 0, 0, 0};
+    weights[i] = t - 1;
+    weights[j] = -t;
+    const double distance = between(x, weights).distance;
+    if (!(distance < smallest)) continue;
+    smallest = distance;
+    closest = weights;
+  }
+  return closest;
+}
+
+/// Below this squared sine of an angle a face has all but collapsed, and the place on it that its
+/// normal tells may be any.
+constexpr double kCollapsed = 1e-12;
+
+/// Of a point across from the inside of the face, as far as the sums by which that was found are
+/// exact: they lose twice as many digits in a narrow face as these weights do.
+std::array<double, 4> vertexInsideWeights(const PairPoints& x) {
+  const Vector3 ab = x[2] - x[1], ac = x[3] - x[1], ap = x[0] - x[1];
+  const Vector3 normal = ab.cross(ac);
+  const double area = normal.squaredNorm();
+  const double v = ap.cross(ac).dot(normal) / area, w = ab.cross(ap).dot(normal) / area;
+  const std::array<double, 4> inside{1, v + w - 1, -v, -w};
+  const bool valid = v >= 0 && w >= 0 && v + w <= 1;
+  const bool collapsed = !(area > kCollapsed * ab.squaredNorm() * ac.squaredNorm());
+  if (valid && !collapsed) return inside;
+  const std::array<double, 4> side = vertexSideWeights(x);
+  return valid && between(x, inside).distance < between(x, side).distance ? inside : side;
 }
 
 /// Sorts by the region of the face's plane in which p is: of a corner, of a side, or the inside.
@@ -24,7 +71,7 @@ std::array<double, 4> vertexFaceWeights(const PairPoints& x) {
   const double d3 = ab.dot(bp), d4 = ac.dot(bp);
   if (d3 >= 0 && d4 <= d3) return {1, 0, -1, 0};
   const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+  if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 > d3) {
     const double v = d1 / (d1 - d3);
     return {1, v - 1, -v, 0};
   }
@@ -32,35 +79,29 @@ std::array<double, 4> vertexFaceWeights(const PairPoints& x) {
   const double d5 = ab.dot(cp), d6 = ac.dot(cp);
   if (d6 >= 0 && d5 <= d6) return {1, 0, 0, -1};
   const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+  if (vb <= 0 && d2 >= 0 && d6 <= 0 && d2 > d6) {
     const double w = d2 / (d2 - d6);
     return {1, w - 1, 0, -w};
   }
   const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+  const double bc = (d4 - d3) + (d5 - d6);
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0 && bc > 0) {
+    const double w = (d4 - d3) / bc;
     return {1, 0, w - 1, -w};
   }
-  const double scale = 1 / (va + vb + vc);
-  const double v = vb * scale, w = vc * scale;
-  return {1, v + w - 1, -v, -w};
-}
-
-/// Parameter of the point of a segment of this squared length that is closest to a point whose
-/// product with it, from its start, is `along`.
-double closestOn(double squared_length, double along) {
-  return squared_length > 0 ? std::clamp(along / squared_length, 0.0, 1.0) : 0;
+  return vertexInsideWeights(x);
 }
 
 std::array<double, 4> edgeEdgeWeights(const PairPoints& x) {
   const Vector3 d1 = x[1] - x[0], d2 = x[3] - x[2], r = x[0] - x[2];
   const double a = d1.squaredNorm(), e = d2.squaredNorm();
   const double b = d1.dot(d2), c = d1.dot(r), f = d2.dot(r);
-  const double denominator = a * e - b * b;
+  const Vector3 normal = d1.cross(d2);
+  const double denominator = normal.squaredNorm();
   // Of parallel edges any point serves as long as the other one is the closest to it.
-  double s = denominator > 0 ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0;
+  double s = denominator > 0 ? std::clamp(d2.cross(r).dot(normal) / denominator, 0.0, 1.0) : 0;
   double t = e > 0 ? (b * s + f) / e : 0;
-  if (t < 0) {
+  if (t < 0 || e == 0) {
     t = 0;
     s = closestOn(a, -c);
   } else if (t > 1) {
