@@ -18,6 +18,12 @@ double gapAlong(const Vector3& direction, PairKind kind, const PairPoints& x) {
   return near - far;
 }
 
+/// Points as seen from their first one: rounding is then as small as the primitives, wherever they
+/// are.
+PairPoints seenFromFirst(const PairPoints& x) {
+  return {Vector3::Zero(), x[1] - x[0], x[2] - x[0], x[3] - x[0]};
+}
+
 PairPoints pointsAt(double t, const PairPoints& from, const PairPoints& to) {
   PairPoints x;
   for (int i = 0; i < 4; ++i) x[i] = from[i] + t * (to[i] - from[i]);
@@ -26,8 +32,9 @@ PairPoints pointsAt(double t, const PairPoints& from, const PairPoints& to) {
 
 }  // namespace
 
-double feasiblePart(PairKind kind, const PairPoints& from, const PairPoints& to, double kept,
-                    double enough) {
+double feasiblePart(PairKind kind, const PairPoints& before, const PairPoints& after,
+                    const KeptDistance& kept) {
+  const PairPoints from = seenFromFirst(before), to = seenFromFirst(after);
   double part = 0;
   PairPoints x = from;
   double target = 0;
@@ -39,7 +46,8 @@ double feasiblePart(PairKind kind, const PairPoints& from, const PairPoints& to,
     const double gap = gapAlong(direction, kind, x);
     // Of a collapsed face rounding may take another point for the closest one.
     if (!(gap > 0)) return part;
-    if (i == 0) target = std::min(gap, std::max(kClosestGap, std::min(kept * gap, enough)));
+    if (i == 0)
+      target = std::min(gap, std::max(kept.least, std::min(kept.part * gap, kept.enough)));
     if (i > 0 && gap <= kNearEnough * target) return part;
     const double end = gapAlong(direction, kind, to);
     if (end >= target) return 1;

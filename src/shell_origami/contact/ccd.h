@@ -10,16 +10,21 @@ namespace shell_origami {
 /// within 1000 m, so that a certificate in double precision holds for the exact motion as well.
 constexpr double kClosestGap = 1e-8;
 
+/// What a motion leaves of the distance of two primitives: a part of it, or `enough` [m] where that
+/// is less, or `least` [m] where that is more, or all where they are closer than that.
+struct KeptDistance {
+  double part, enough, least;
+};
+
 /// Returns a part in [0, 1] of the straight motion from `from` to `to` during which the primitives
-/// keep apart, never too large. They keep a part `kept` of their distance, or `enough` [m] where
-/// that is less, and kClosestGap or what they have already where that is less still.
+/// keep apart, never too large.
 ///
 /// Conservative advancement: the plane across the closest points separates the two convex
 /// primitives as long as their corners stay on their sides of it, which for a linear motion is
 /// decided at its end. A step is never shorter than that of additive CCD (Li, Kaufman and Jiang,
 /// Codimensional Incremental Potential Contact, 2021, section 5), and layers that slide along each
 /// other are not held up.
-double feasiblePart(PairKind kind, const PairPoints& from, const PairPoints& to, double kept,
-                    double enough);
+double feasiblePart(PairKind kind, const PairPoints& from, const PairPoints& to,
+                    const KeptDistance& kept);
 
 }  // namespace shell_origami

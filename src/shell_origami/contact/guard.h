@@ -9,9 +9,14 @@
 
 namespace shell_origami {
 
-/// What a pair keeps of its distance in a motion that stops() accepts, and in one that freePart()
-/// offers: more, so that what is offered is accepted in spite of rounding.
-constexpr double kAccepted = 0.1, kOffered = 0.2;
+/// What a pair keeps of its distance in a motion that isFree() accepts.
+inline KeptDistance accepted(const ContactPair& pair) { return {0.1, pair.reach / 2, kClosestGap}; }
+
+/// What it keeps in one that freePart() offers: more, so that what is offered is accepted in spite
+/// of rounding.
+inline KeptDistance offered(const ContactPair& pair) {
+  return {0.2, pair.reach, 1.1 * kClosestGap};
+}
 
 /// An upper bound [m] of how much closer a motion brings the pair at any time.
 inline double approach(const ContactPair& pair, const Positions& from, const Positions& to) {
@@ -24,13 +29,12 @@ inline double approach(const ContactPair& pair, const Positions& from, const Pos
 
 /// Returns the part of the motion that the pair permits.
 inline double freePart(const ContactPair& pair, const Positions& from, const Positions& to) {
-  return feasiblePart(pair.kind, pointsOf(pair, from), pointsOf(pair, to), kOffered, pair.reach);
+  return feasiblePart(pair.kind, pointsOf(pair, from), pointsOf(pair, to), offered(pair));
 }
 
 /// Whether the pair permits the whole motion.
 inline bool isFree(const ContactPair& pair, const Positions& from, const Positions& to) {
-  return feasiblePart(pair.kind, pointsOf(pair, from), pointsOf(pair, to), kAccepted,
-                      pair.reach / 2) == 1;
+  return feasiblePart(pair.kind, pointsOf(pair, from), pointsOf(pair, to), accepted(pair)) == 1;
 }
 
 }  // namespace shell_origami
