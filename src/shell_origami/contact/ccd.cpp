@@ -46,8 +46,9 @@ double feasiblePart(PairKind kind, const PairPoints& before, const PairPoints& a
     const double gap = gapAlong(direction, kind, x);
     // Of a collapsed face rounding may take another point for the closest one.
     if (!(gap > 0)) return part;
-    if (i == 0)
+    if (i == 0) {
       target = std::min(gap, std::max(kept.least, std::min(kept.part * gap, kept.enough)));
+    }
     if (i > 0 && gap <= kNearEnough * target) return part;
     const double end = gapAlong(direction, kind, to);
     if (end >= target) return 1;

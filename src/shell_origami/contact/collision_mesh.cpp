@@ -5,13 +5,18 @@
 namespace shell_origami {
 namespace {
 
+/// Distance on the flat sheet, as a part of its size, within which two things are in one place, as
+/// in crossingSegments(). Where a side of a slit was split, that is by rounding off the other side.
+constexpr double kCoincident = 1e-9;
+
 bool contains(const Triangle& corners, int v) {
   return corners[0] == v || corners[1] == v || corners[2] == v;
 }
 
 }  // namespace
 
-CollisionMesh::CollisionMesh(const Sheet& sheet) : flat_(sheet.flatPositions()) {
+CollisionMesh::CollisionMesh(const Sheet& sheet)
+    : flat_(sheet.flatPositions()), coincident_(kCoincident * sheet.size()) {
   for (const Edge& edge : sheet.edges()) {
     edges_.push_back(edge.vertices);
     opposite_.push_back(edge.opposite);
@@ -56,7 +61,8 @@ bool CollisionMesh::incidentEdges(int a, int b) const {
 double CollisionMesh::flatDistance(PairKind kind, const std::array<int, 4>& points) const {
   PairPoints x;
   for (int i = 0; i < 4; ++i) x[i] << flat_[points[i]], 0;
-  return closestPoints(kind, x).distance;
+  const double distance = closestPoints(kind, x).distance;
+  return distance > coincident_ ? distance : 0;
 }
 
 double CollisionMesh::squaredProduct(const std::array<int, 4>& points) const {

@@ -39,6 +39,7 @@ class CollisionMesh {
 
  private:
   std::vector<Vector2> flat_;
+  double coincident_;  ///< distance on the flat sheet that is none [m]
   std::vector<Face> faces_;
   std::vector<std::array<int, 2>> edges_;
   std::vector<std::array<int, 2>> opposite_;  ///< of each edge
