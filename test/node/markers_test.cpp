@@ -216,7 +216,8 @@ TEST(Ground, PaperCastsItsShadowThere) {
 }
 
 TEST(Ground, WhatIsBelowItCastsNoShadow) {
-  Drawn drawn(paper(), [](const Vector2& p) { return Vector3(p.x(), p.y(), p.x() - 0.4 * kWidth); });
+  Drawn drawn(paper(),
+              [](const Vector2& p) { return Vector3(p.x(), p.y(), p.x() - 0.4 * kWidth); });
   const std::size_t all = 3 * drawn.sheet.triangles.size();
   drawn.sheet.ground = 0;
   const std::size_t above = inNamespace(drawn.draw(), "shadow").at(0).points.size();

@@ -40,7 +40,8 @@ Place integrator(SimulationConfig& config) {
 const ParameterTable<SheetSource>& sheetParameters() {
   using Sheet = SheetSource;
   static const ParameterTable<Sheet> table{
-      {"sheet/width", at(&Sheet::width), "of the rectangle along x, or of the pattern that `recipe` names", "m", kPositive},
+      {"sheet/width", at(&Sheet::width),
+       "of the rectangle along x, or of the pattern that `recipe` names", "m", kPositive},
       {"sheet/height", at(&Sheet::height), "of the rectangle along y", "m", kPositive},
       {"sheet/max_edge", at(&Sheet::max_edge), "longest edge of a triangle", "m", kPositive}};
   return table;

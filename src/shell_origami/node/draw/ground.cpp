@@ -18,8 +18,8 @@ const std_msgs::ColorRGBA kGrid = color(0.66, 0.68, 0.71);
 const std_msgs::ColorRGBA kShadow = color(0.74, 0.75, 0.78);
 /// Lines on either side of the middle.
 constexpr int kReach = 10;
-/// From one ground to the next over the size of the sheet. Paper falls at some 2 m/s: the grounds of
-/// closer ones would flicker.
+/// From one ground to the next over the size of the sheet. Paper falls at some 2 m/s: the grounds
+/// of closer ones would flicker.
 constexpr double kFall = 4;
 
 /// The largest of 1, 2 and 5 times a power of ten that is not above a value.

@@ -14,8 +14,8 @@ namespace shell_origami {
 /// what a sheet of this size reaches when it folds about its middle.
 double groundBelow(const Eigen::Matrix3Xd& positions, double size);
 
-/// Height of the ground as it is drawn [m]: that of the sheet, and below paper that has fallen through
-/// it another one, every four sizes of the sheet, so that the fall is seen.
+/// Height of the ground as it is drawn [m]: that of the sheet, and below paper that has fallen
+/// through it another one, every four sizes of the sheet, so that the fall is seen.
 double groundUnder(const Eigen::Matrix3Xd& positions, double size, double ground);
 
 /// Lines at whole multiples of the spacing (1, 2 or 5 of a decimal place), around the paper.
