@@ -14,7 +14,6 @@
 namespace shell_origami {
 namespace {
 
-constexpr double kReach = 5e-5;  ///< [m]
 /// Closer than this on the flat sheet only what coincides is: sides of slits.
 constexpr double kCoincide = 1e-12;
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace shell_origami {
@@ -10,7 +11,9 @@ Positions pleated(const Sheet& sheet, double pitch, double gap) {
   Positions x(3, sheet.vertexCount());
   for (int v = 0; v < sheet.vertexCount(); ++v) {
     const Vector2& flat = sheet.flatPositions()[v];
-    const double layer = std::floor(flat.x() / pitch), along = flat.x() - layer * pitch;
+    // What lies on a fold belongs to the layer before.
+    const double layer = std::max(0.0, std::ceil(flat.x() / pitch - 1e-9) - 1);
+    const double along = flat.x() - layer * pitch;
     const bool back = std::fmod(layer, 2) != 0;
     x.col(v) << (back ? pitch - along : along), flat.y(), layer * gap;
   }

@@ -7,6 +7,9 @@
 
 namespace shell_origami {
 
+/// Of pairs in these tests, d^ [m].
+constexpr double kReach = 5e-5;
+
 /// The sheet in pleats of width `pitch` across x, one `gap` above the other [m]: layers are flat,
 /// and faces across a fold reach from one to the next. It crosses nowhere, and still does not when
 /// vertices are moved up or down by a tenth of the gap.
