@@ -209,7 +209,7 @@ TEST(FeasiblePart, IsNeverLate) {
     ASSERT_TRUE(part >= 0 && part <= 1) << i;
     ++counts[queries.motionOf(i)][part == 0 ? 0 : part < 1 ? 1 : 2];
     if (part == 0) continue;
-    EXPECT_TRUE(provedApart(q.kind, q.from, q.to, part)) << i << ": " << part;
+    ASSERT_TRUE(provedApart(q.kind, q.from, q.to, part)) << i << ": " << part;
   }
   // None of the motions leaves the proof nothing to do.
   for (const auto& [none, some, whole] : counts) EXPECT_GT(some + whole, none);
@@ -241,7 +241,7 @@ TEST(FeasiblePart, IsNotLateWithinRounding) {
       const double part = permitted(q);
       if (part == 0) continue;
       ++moved;
-      EXPECT_TRUE(provedApart(q.kind, q.from, q.to, part)) << size << " " << i;
+      ASSERT_TRUE(provedApart(q.kind, q.from, q.to, part)) << size << " " << i;
     }
   }
   EXPECT_GT(moved, kQueries / 20);

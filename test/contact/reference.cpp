@@ -142,15 +142,17 @@ bool someDirectionSeparates(PairKind kind, const PairPoints& from, const PairPoi
   return false;
 }
 
-constexpr int kDeepest = 40;  ///< halvings of the time
+/// Parts of a motion that are looked at before it is given up; proofs of motions that keep apart
+/// take 81 at most.
+constexpr int kMostParts = 300;
 
 bool provedBetween(PairKind kind, const PairPoints& from, const PairPoints& to, double begin,
-                   double end, int depth) {
+                   double end, int& parts) {
+  if (++parts > kMostParts) return false;
   if (someDirectionSeparates(kind, from, to, begin, end)) return true;
-  if (depth == kDeepest) return false;
   const double middle = begin + (end - begin) / 2;
-  return provedBetween(kind, from, to, begin, middle, depth + 1) &&
-         provedBetween(kind, from, to, middle, end, depth + 1);
+  return provedBetween(kind, from, to, begin, middle, parts) &&
+         provedBetween(kind, from, to, middle, end, parts);
 }
 
 }  // namespace
@@ -176,7 +178,8 @@ LongClosest longClosest(PairKind kind, const PairPoints& x) {
 }
 
 bool provedApart(PairKind kind, const PairPoints& from, const PairPoints& to, double part) {
-  return provedBetween(kind, from, to, 0, part, 0);
+  int parts = 0;
+  return provedBetween(kind, from, to, 0, part, parts);
 }
 
 Vector3 Random::inCube(double size) {

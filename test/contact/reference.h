@@ -22,8 +22,8 @@ LongClosest longClosest(PairKind kind, const std::array<Long3, 4>& x);
 LongClosest longClosest(PairKind kind, const PairPoints& x);
 
 /// Whether, in exact arithmetic, planes separate the primitives at all times in [0, part] of the
-/// straight motion. The converse holds as far as the planes are found: where distances are not
-/// within the rounding of long double.
+/// straight motion. False where they touch, and where the planes are not found in some hundred
+/// parts of the motion.
 bool provedApart(PairKind kind, const PairPoints& from, const PairPoints& to, double part);
 
 /// Random numbers, points and rotations.
