@@ -44,7 +44,7 @@ TEST(ClosestPoints, AreTheClosestOfAllFeatures) {
     const LongClosest expected = longClosest(kind, x);
     ++regions[i % 2][regionOf(closest.weights)];
     // Rounding of some five operations on lengths of 2, and of weights where faces are narrow and
-    // edges all but parallel; 5e-16 and 2e-14 are measured.
+    // edges all but parallel; 5e-16 and 4e-14 are measured.
     ASSERT_NEAR(closest.distance, static_cast<double>(expected.distance), 2e-15) << i;
     for (int k = 0; k < 4; ++k) {
       ASSERT_NEAR(closest.weights[k], static_cast<double>(expected.weights[k]), 1e-13) << i;
