@@ -78,6 +78,10 @@ double Run::meanStep() const {
          static_cast<double>(step_times_.size());
 }
 
+double Run::longestStep() const {
+  return *std::max_element(step_times_.begin(), step_times_.end());
+}
+
 void Run::report(benchmark::State& state) const {
   const Counters& counters = simulation_.counters();
   const auto steps = static_cast<double>(counters.steps);

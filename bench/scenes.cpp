@@ -46,6 +46,12 @@ Recipe cantilever(double triangles) {
   return recipe;
 }
 
+Recipe touching(const std::string& name, double triangles) {
+  Recipe recipe = loadRecipe(kRecipes + "/../bench/recipes/" + name + ".yaml");
+  recipe.sheet.max_edge = square(triangles).max_edge;
+  return recipe;
+}
+
 Recipe miura1000() { return loadRecipe(kRecipes + "/miura_1000.yaml"); }
 
 }  // namespace shell_origami

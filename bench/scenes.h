@@ -4,6 +4,8 @@
 
 #include <shell_origami/origami/recipe.h>
 
+#include <string>
+
 namespace shell_origami {
 
 /// A square of 0.15 m in about so many triangles.
@@ -17,6 +19,9 @@ Recipe dog(double triangles);
 
 /// A square held along one side, falling under gravity for two seconds.
 Recipe cantilever(double triangles);
+
+/// bench/recipes/<name>.yaml, in which paper meets paper, the flat sheet in about so many triangles.
+Recipe touching(const std::string& name, double triangles);
 
 /// recipes/miura_1000.yaml.
 Recipe miura1000();

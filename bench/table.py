@@ -54,10 +54,25 @@ def scene_row(name, b):
 
 def scenes(benchmarks):
     """Times in milliseconds."""
-    rows = [scene_row(name, b) for (name, _), b in benchmarks.items() if 'step_median_ms' in b]
+    rows = [scene_row(name, b) for (name, _), b in benchmarks.items()
+            if 'step_median_ms' in b and 'contacts_max' not in b]
     yield from table(['scene, ms a step', 'triangles', 'median', 'mean', 'assembly', 'symbolic',
                       'numeric', 'solve', 'search', 'rest', 'an edit', 'Newton',
                       'factorizations', 'retries', 'real time', 'allocations (CHOLMOD)'], rows)
+
+
+def contact_row(name, b):
+    counts = [b[key] for key in ('newton', 'newton_median', 'newton_p95', 'newton_max', 'factorizations',
+                                 'factorizations_p95', 'factorizations_max', 'contacts_max', 'gap_um', 'crossings')]
+    times = [b['step_median_ms'], b['step_mean_ms'], b['step_max_ms']]
+    return [name, number(b['triangles'])] + [number(x) for x in times + counts]
+
+
+def contact(benchmarks):
+    """Times in milliseconds; crossings are those of every tenth step."""
+    rows = [contact_row(name, b) for (name, _), b in benchmarks.items() if 'contacts_max' in b]
+    yield from table(['contact, ms a step', 'triangles', 'median', 'mean', 'longest', 'Newton', 'median', '95 %',
+                      'most', 'factorizations', '95 %', 'most', 'pairs', 'smallest gap, um', 'crossings'], rows)
 
 
 def limit_row(b, dgemm):
@@ -127,7 +142,7 @@ def figures(benchmarks):
 
 def page(run):
     benchmarks = named(run)
-    return '\n'.join([*scenes(benchmarks), *limits(benchmarks), *figures(benchmarks)]) + '\n'
+    return '\n'.join([*scenes(benchmarks), *contact(benchmarks), *limits(benchmarks), *figures(benchmarks)]) + '\n'
 
 
 HEAD = """# {machine}

@@ -195,7 +195,7 @@ class FoldSpecTest(unittest.TestCase):
         self.assertEqual(len(final['file_frames']), 1)
 
     def test_lines_that_change_the_mesh(self):
-        final, frames = self.fold('dog')
+        final, frames = self.fold('elephant')
         self.check_run(final, frames)
         self.assertGreater(self.check_angles(frames_of(final)[1]), 20)
         self.assertIn('animation', frames['file_classes'])

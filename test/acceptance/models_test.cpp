@@ -16,9 +16,8 @@ constexpr double kDegree = M_PI / 180;
 
 struct Model {
   const char* name;
-  /// Creases whose targets the kinematics of rigid panels cannot meet: two layers folded together
-  /// over a back that is not shut (dog), two creases alone at an inner vertex (apple), panels
-  /// between curved creases, which have to bend (curved_crease).
+  /// Creases whose targets the kinematics of rigid panels cannot meet: two creases alone
+  /// at an inner vertex (apple), panels between curved creases, which have to bend (curved_crease).
   std::set<std::string> incompatible;
 };
 
@@ -33,6 +32,9 @@ class ModelTest : public testing::TestWithParam<Model> {
       EXPECT_TRUE(report.converged) << report.failure;
       if (!report.converged) break;
       EXPECT_TRUE(simulation.positions().allFinite());
+      if (simulation.counters().steps % 10 == 0) {
+        EXPECT_TRUE(simulation.crossings().empty()) << "at " << simulation.time() << " s";
+      }
       EXPECT_LT(simulation.maxStrain(), 0.01) << "at " << simulation.time() << " s";
     }
     EXPECT_TRUE(runner.finished());
@@ -89,7 +91,7 @@ TEST_P(ModelTest, TheSameRecipeTwiceGivesTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ModelTest,
-                         testing::Values(Model{"dog", {"tail_left", "tail_right"}},
+                         testing::Values(Model{"dog", {}},
                                          Model{"elephant", {}},
                                          Model{"apple", {"stem_mountain", "stem_valley"}},
                                          Model{"curl", {}}, Model{"miura", {}},

@@ -25,7 +25,7 @@ bool crosses(const Sheet& sheet, const Positions& x) {
 struct Half {
   Sheet sheet{triangulateRectangle(0.06, 0.04, 0.01)};
   Positions x;
-  ContactPotential contact{sheet, kReach, 4e3};
+  ContactPotential contact{sheet, {kReach, 4e3}};
   std::unique_ptr<Potential::Iterate> start = contact.makeIterate(), at = contact.makeIterate();
 
   explicit Half(double gap) : x(pleated(sheet, 0.03, gap)) { contact.start(x, *start); }
@@ -44,6 +44,9 @@ TEST(ContactPotential, VerticesDoNotPassThroughFaces) {
   ASSERT_NEAR((half.x.col(1) - half.x.col(0)).norm(), 1e-3, 1e-15);
   const Positions through = half.withCornerMoved({7e-3, 6e-3, -2e-3});
   EXPECT_FALSE(half.reaches(through));
+  const auto found = half.contact.findInfeasibility(through, *half.start);
+  ASSERT_TRUE(found);
+  EXPECT_STREQ(found->what, "paper would pass through paper");
   // Far beyond, where it touches nothing at the end.
   EXPECT_FALSE(half.reaches(half.withCornerMoved({7e-3, 6e-3, -0.5})));
   EXPECT_TRUE(half.reaches(half.withCornerMoved({7e-3, 6e-3, -0.8e-3})));
@@ -55,6 +58,7 @@ TEST(ContactPotential, EdgesDoNotPassThroughEdges) {
   const Positions through = half.withCornerMoved({-0.01, 5e-3, -6e-3});
   EXPECT_TRUE(crosses(half.sheet, through));
   EXPECT_FALSE(half.reaches(through));
+  EXPECT_TRUE(half.contact.findInfeasibility(through, *half.start));
 }
 
 TEST(ContactPotential, PaperMovesPastPaper) {
@@ -63,6 +67,7 @@ TEST(ContactPotential, PaperMovesPastPaper) {
   const Positions past = half.withCornerMoved({-0.05, 5e-3, -1.5e-3});
   EXPECT_FALSE(crosses(half.sheet, past));
   EXPECT_TRUE(half.reaches(past));
+  EXPECT_FALSE(half.contact.findInfeasibility(past, *half.start));
   // Layers that part, and all together, wherever.
   Positions apart = half.x;
   for (int v = 0; v < apart.cols(); ++v) apart(2, v) *= 20;
@@ -91,12 +96,13 @@ TEST(ContactPotential, PermitsNoCrossing) {
       const Sheet sheet(triangulateRectangle(0.09, 0.04, 0.02));
       const Positions x = turned(shaken(pleated(sheet, 0.03, gap), 0.1 * gap, random), random);
       ASSERT_FALSE(crosses(sheet, x));
-      const ContactPotential contact(sheet, kReach, 4e3);
+      const ContactPotential contact(sheet, {kReach, 4e3});
       const ShellPotential shell(sheet, {}, Vector3::Zero());
       const auto start = contact.makeIterate(), at = contact.makeIterate();
       contact.start(x, *start);
       Positions step = gap * std::pow(10, random.between(-1, 2)) * Positions::Random(3, x.cols());
       const bool reached = std::isfinite(contact.value(x + step, *start, *at));
+      EXPECT_EQ(contact.findInfeasibility(x + step, *start).has_value(), !reached);
       const double part = contact.maxFeasibleStep(x, *start, step);
       ASSERT_GT(part, 0);
       EXPECT_TRUE(reached || part < 1);
@@ -155,7 +161,7 @@ TEST(ContactPotential, RandomStartsAreAccepted) {
     const double gap = std::pow(10, random.between(-6, -3));
     const Sheet sheet(triangulateRectangle(0.09, 0.04, 0.015));
     const Positions x = turned(shaken(pleated(sheet, 0.03, gap), 0.1 * gap, random), random);
-    const ContactPotential contact(sheet, kReach, 4e3);
+    const ContactPotential contact(sheet, {kReach, 4e3});
     const auto start = contact.makeIterate(), at = contact.makeIterate();
     contact.start(x, *start);
     const Positions to =

@@ -96,7 +96,7 @@ TEST(ContactPotential, GradientIsThatOfTheValue) {
   for (const double angle : {0.003, 0.01, 0.02, 0.1}) {
     for (int i = 0; i < 5; ++i) {
       const Layers layers(0.02, angle, random);
-      const ContactPotential contact(layers.sheet, kReach, kStiffness);
+      const ContactPotential contact(layers.sheet, {kReach, kStiffness});
       const auto [count, some] = countContacts(contact, layers.x);
       EXPECT_GT(count, 50);
       mollified += some;
@@ -127,7 +127,7 @@ TEST(ContactPotential, HessianIsThatOfTheGradientWhereNothingIsMollified) {
   double worst = 0;
   for (int i = 0; i < 200 && compared < 10; ++i) {
     const Layers layers(0.03, random.between(0.05, 0.3), random);
-    const ContactPotential contact(layers.sheet, kReach, kStiffness);
+    const ContactPotential contact(layers.sheet, {kReach, kStiffness});
     bool any = false;
     int count = 0;
     for (const Contact& c : contact.contacts(layers.x)) {
@@ -156,7 +156,7 @@ TEST(ContactPotential, ConvexHessianIsPositiveSemidefinite) {
   Random random(3);
   for (int i = 0; i < 5; ++i) {
     const Layers layers(0.03, 0.02 * i, random);
-    const ContactPotential contact(layers.sheet, kReach, kStiffness);
+    const ContactPotential contact(layers.sheet, {kReach, kStiffness});
     const Eigen::MatrixXd hessian = hessianAt(contact, layers.x, HessianKind::kConvex);
     const Eigen::VectorXd values = hessian.selfadjointView<Eigen::Lower>().eigenvalues();
     EXPECT_GT(values.maxCoeff(), 0.1 * kStiffness);
@@ -168,7 +168,7 @@ TEST(ContactPotential, ForcesSumToNothing) {
   Random random(4);
   for (int i = 0; i < 5; ++i) {
     const Layers layers(0.02, 0.01 * i, random);
-    const ContactPotential contact(layers.sheet, kReach, kStiffness);
+    const ContactPotential contact(layers.sheet, {kReach, kStiffness});
     const Positions force = evaluate(contact, layers.x).gradient;
     Vector3 moment = Vector3::Zero();
     const Vector3 center = layers.x.rowwise().mean();
@@ -185,7 +185,7 @@ TEST(ContactPotential, ForcesSumToNothing) {
 /// Two parts that touch nothing cost nothing: no energy, force or stencil.
 TEST(ContactPotential, IsNothingWhereNothingIsNear) {
   const Sheet sheet(triangulateRectangle(0.09, 0.05, 0.02));
-  const ContactPotential contact(sheet, kReach, kStiffness);
+  const ContactPotential contact(sheet, {kReach, kStiffness});
   const Positions x = pleated(sheet, 0.045, 2.1 * kReach);
   const auto start = contact.makeIterate(), at = contact.makeIterate();
   contact.start(x, *start);
@@ -203,7 +203,7 @@ TEST(ContactPotential, DependsOnTheConfigurationAlone) {
   Random random(5);
   for (int i = 0; i < 10; ++i) {
     const Layers layers(0.02, 0.02, random);
-    const ContactPotential contact(layers.sheet, kReach, kStiffness);
+    const ContactPotential contact(layers.sheet, {kReach, kStiffness});
     const Positions& x = layers.x;
     const Positions to = x + 2e-6 * Positions::Random(3, x.cols());
     const auto fresh = contact.makeIterate(), at = contact.makeIterate();

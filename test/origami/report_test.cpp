@@ -80,7 +80,8 @@ TEST_F(Report, holdsTheFiguresOfTheRun) {
   EXPECT_EQ(report["kinetic_energy"], simulation_.energies().kinetic);
   EXPECT_EQ(report["settled"], simulation_.settled());
   EXPECT_EQ(report["min_gap"], -1);
-  EXPECT_EQ(report["intersections"], -1);
+  EXPECT_EQ(report["contacts"], 0);
+  EXPECT_EQ(report["intersections"], 0);
   ASSERT_EQ(report["creases"].size(), 1u);
   const json& crease = report["creases"][0];
   EXPECT_EQ(crease["name"], "spine");

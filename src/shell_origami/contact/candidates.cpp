@@ -27,8 +27,8 @@ Eigen::Matrix3d frameOfLayers(const CollisionMesh& mesh, const Positions& x) {
 }  // namespace
 
 Candidates::Candidates(const CollisionMesh& mesh, const BoundingTree& tree, const Positions& from,
-                       const Positions& to, double reach, double margin)
-    : reach_(reach), turn_(frameOfLayers(mesh, from)), rooms_(mesh.vertexCount()) {
+                       const Positions& to, double reach, double margin, std::size_t most)
+    : reach_(reach), most_(most), turn_(frameOfLayers(mesh, from)), rooms_(mesh.vertexCount()) {
   const Vector3 around = Vector3::Constant(margin);
   const Vector3 near = Vector3::Constant(kNear * reach / 2);
   std::vector<Eigen::AlignedBox3d> inflated(rooms_.size());
@@ -39,6 +39,7 @@ Candidates::Candidates(const CollisionMesh& mesh, const BoundingTree& tree, cons
     inflated[v] = {rooms_[v].min() - near, rooms_[v].max() + near};
   }
   tree.forEachPair(mesh, inflated, [&](int f, int g) {
+    if (mesh.leftOut(f, g)) return;
     addPairs(mesh, inflated, f, g);
     addPairs(mesh, inflated, g, f);
   });
@@ -49,10 +50,11 @@ void Candidates::addPairs(const CollisionMesh& mesh, const std::vector<Eigen::Al
                           int f, int g) {
   const CollisionMesh::Face &own = mesh.faces()[f], &other = mesh.faces()[g];
   const auto& [a, b, c] = other.vertices;
+  const TrianglePair faces{std::min(f, g), std::max(f, g)};
   const Eigen::AlignedBox3d box = rooms[a].merged(rooms[b]).merged(rooms[c]);
   for (int v : own.owned_vertices) {
     if (v < 0 || !rooms[v].intersects(box) || mesh.incident(v, g)) continue;
-    add(mesh, PairKind::kVertexFace, {v, a, b, c});
+    add(mesh, PairKind::kVertexFace, {v, a, b, c}, faces);
   }
   if (f > g) return;
   for (int e : own.owned_edges) {
@@ -64,15 +66,18 @@ void Candidates::addPairs(const CollisionMesh& mesh, const std::vector<Eigen::Al
       if (h < 0) continue;
       const auto [b0, b1] = mesh.edges()[h];
       if (!edge_box.intersects(rooms[b0].merged(rooms[b1])) || mesh.incidentEdges(e, h)) continue;
-      add(mesh, PairKind::kEdgeEdge, {a0, a1, b0, b1});
+      add(mesh, PairKind::kEdgeEdge, {a0, a1, b0, b1}, faces);
     }
   }
 }
 
-void Candidates::add(const CollisionMesh& mesh, PairKind kind, const std::array<int, 4>& vertices) {
+void Candidates::add(const CollisionMesh& mesh, PairKind kind, const std::array<int, 4>& vertices,
+                     const TrianglePair& faces) {
   const double reach = kReachPerDistance * mesh.flatDistance(kind, vertices);
   // The sides of a slit coincide.
-  if (reach > 0) pairs_.push_back({kind, vertices, std::min(reach, reach_)});
+  if (reach == 0) return;
+  complete_ = pairs_.size() < most_;
+  if (complete_) pairs_.push_back({kind, vertices, std::min(reach, reach_), faces});
 }
 
 bool Candidates::cover(const Positions& x) const {

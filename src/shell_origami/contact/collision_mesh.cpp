@@ -40,6 +40,26 @@ CollisionMesh::CollisionMesh(const Sheet& sheet)
   }
 }
 
+void CollisionMesh::leaveOut(const std::vector<TrianglePair>& crossing) {
+  left_out_.clear();
+  if (crossing.empty()) return;
+  std::vector<std::vector<int>> around(flat_.size());
+  for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
+    for (int v : faces_[f].vertices) around[v].push_back(f);
+  }
+  for (const auto& [f, g] : crossing) {
+    for (int v : faces_[f].vertices) {
+      for (int w : faces_[g].vertices) {
+        for (int near_f : around[v]) {
+          for (int near_g : around[w]) {
+            left_out_.insert({std::min(near_f, near_g), std::max(near_f, near_g)});
+          }
+        }
+      }
+    }
+  }
+}
+
 bool CollisionMesh::incident(int vertex, int face) const {
   if (contains(faces_[face].vertices, vertex)) return true;
   return std::any_of(sides_[face].begin(), sides_[face].end(), [&](int edge) {

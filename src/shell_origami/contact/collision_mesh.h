@@ -2,9 +2,12 @@
 /// The sheet as contact sees it: vertices, edges and faces, and how far apart they are on it.
 #pragma once
 
+#include <shell_origami/contact/crossings.h>
 #include <shell_origami/contact/distance.h>
 #include <shell_origami/sheet/sheet.h>
 
+#include <algorithm>
+#include <set>
 #include <vector>
 
 namespace shell_origami {
@@ -27,6 +30,12 @@ class CollisionMesh {
   const std::vector<std::array<int, 2>>& edges() const { return edges_; }
   const std::vector<Vector2>& flatPositions() const { return flat_; }
 
+  /// Leaves out of contact what crosses already, with the faces around it, so that it can part.
+  void leaveOut(const std::vector<TrianglePair>& crossing);
+  bool leftOut(int f, int g) const {
+    return !left_out_.empty() && left_out_.count({std::min(f, g), std::max(f, g)}) > 0;
+  }
+
   /// Whether contact has nothing to do with the pair: its primitives share a vertex, or all four
   /// points are those of one hinge, whose energy keeps it open.
   bool incident(int vertex, int face) const;
@@ -44,6 +53,7 @@ class CollisionMesh {
   std::vector<std::array<int, 2>> edges_;
   std::vector<std::array<int, 2>> opposite_;  ///< of each edge
   std::vector<std::array<int, 3>> sides_;     ///< of each face: its edges
+  std::set<TrianglePair> left_out_;
 };
 
 }  // namespace shell_origami

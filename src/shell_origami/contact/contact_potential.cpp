@@ -1,8 +1,11 @@
 #include <shell_origami/contact/contact_potential.h>
 
+#include <shell_origami/contact/friction.h>
 #include <shell_origami/contact/guard.h>
 #include <shell_origami/contact/start_filter.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace shell_origami {
@@ -11,6 +14,10 @@ namespace {
 /// Part of the sheet's mean edge by which the rooms of candidates are larger than the motion that
 /// they are made for.
 constexpr double kMargin = 0.1;
+/// A motion for which more pairs than this come into question is longer than one step may be: paper
+/// that flies apart, in which everything could meet everything. A stack of 16 layers has 50 a
+/// vertex.
+constexpr std::size_t kMostPairs = 200000, kMostPairsPerVertex = 500;
 /// A spring at an anticipated impact: its stiffness over that of contact, and where it ends, in
 /// reaches.
 constexpr double kImpactStiffness = 3, kImpactGap = 0.7;
@@ -33,11 +40,18 @@ Eigen::Matrix<double, 12, 1> distanceGradient(const ClosestPoints& closest) {
 
 }  // namespace
 
+/// What touched at the start of a step, and where.
+struct ContactPotential::Friction {
+  Positions start;
+  std::vector<FrictionPair> pairs;
+};
+
 struct ContactPotential::ContactIterate : Potential::Iterate {
   Positions x;
   std::shared_ptr<const Candidates> candidates;  ///< which cover x
   std::vector<double> gaps;                      ///< of each candidate, a lower bound [m]
   std::vector<Contact> contacts;                 ///< closer than kNear reaches, in their order
+  std::shared_ptr<const Friction> friction;      ///< since the start of the step
   std::vector<Impact> impacts;  ///< that a step would run into, until the next gradient
   Stencils stencils;
 };
@@ -49,12 +63,18 @@ ContactPotential::ContactIterate& ContactPotential::of(Iterate& at) {
   return static_cast<ContactIterate&>(at);
 }
 
-ContactPotential::ContactPotential(const Sheet& sheet, double distance, double stiffness)
+ContactPotential::ContactPotential(const Sheet& sheet, const ContactParameters& parameters,
+                                   const std::vector<TrianglePair>& crossing)
     : mesh_(sheet),
       tree_(mesh_),
-      distance_(distance),
-      stiffness_(stiffness),
-      margin_(kMargin * sheet.meanEdge()) {}
+      distance_(parameters.distance),
+      stiffness_(parameters.stiffness),
+      friction_(parameters.friction),
+      sticking_(parameters.sticking),
+      margin_(kMargin * sheet.meanEdge()),
+      most_(std::max<std::size_t>(kMostPairs, kMostPairsPerVertex * sheet.vertexCount())) {
+  mesh_.leaveOut(crossing);
+}
 
 std::unique_ptr<Potential::Iterate> ContactPotential::makeIterate() const {
   return std::make_unique<ContactIterate>();
@@ -62,14 +82,17 @@ std::unique_ptr<Potential::Iterate> ContactPotential::makeIterate() const {
 
 std::shared_ptr<const Candidates> ContactPotential::candidatesOf(const Positions& from,
                                                                  const Positions& to) const {
-  return std::make_shared<Candidates>(mesh_, tree_, from, to, distance_, margin_);
+  return std::make_shared<Candidates>(mesh_, tree_, from, to, distance_, margin_, most_);
 }
 
-/// Makes the candidates of `at` cover `to` as well.
-void ContactPotential::cover(ContactIterate& at, const Positions& to) const {
-  if (at.candidates && at.candidates->cover(to)) return;
-  at.candidates = candidatesOf(at.x, to);
+/// Makes the candidates of `at` cover `to` as well. Returns false where that would be too many.
+bool ContactPotential::cover(ContactIterate& at, const Positions& to) const {
+  if (at.candidates && at.candidates->cover(to)) return true;
+  auto candidates = candidatesOf(at.x, to);
+  if (!candidates->complete()) return false;
+  at.candidates = std::move(candidates);
   measure(at);
+  return true;
 }
 
 /// Computes the distances of all candidates, and the contacts.
@@ -102,21 +125,46 @@ void ContactPotential::finish(ContactIterate& at) const {
   Hash hash;
   for (const Contact& contact : at.contacts) hash.add(contact.pair);
   for (const Impact& impact : at.impacts) hash.add(impact.pair);
+  for (const FrictionPair& pair : at.friction->pairs) hash.add(pair.pair);
   at.stencils.restart(hash.value);
   for (const Contact& contact : at.contacts) at.stencils.add(contact.pair.vertices.data(), 4);
   for (const Impact& impact : at.impacts) at.stencils.add(impact.pair.vertices.data(), 4);
+  for (const FrictionPair& pair : at.friction->pairs) {
+    at.stencils.add(pair.pair.vertices.data(), 4);
+  }
+}
+
+/// What rubs within a step that starts at the iterate.
+std::shared_ptr<const ContactPotential::Friction> ContactPotential::frictionFrom(
+    const ContactIterate& at) const {
+  auto friction = std::make_shared<Friction>();
+  if (friction_ == 0) return friction;
+  friction->start = at.x;
+  for (const Contact& contact : at.contacts) {
+    const double force = -forceOf(contact);
+    // Edges that are nearly parallel have no common normal.
+    if (force <= 0 || contact.mollifier.value < 1) continue;
+    friction->pairs.push_back(frictionPair(contact.pair, contact.closest,
+                                           pointsOf(contact.pair, at.x), friction_ * force));
+  }
+  return friction;
 }
 
 void ContactPotential::start(const Positions& x, Iterate& at) const {
   ContactIterate& own = of(at);
   own.x = x;
-  if (own.candidates && own.candidates->cover(x)) measure(own);
-  else cover(own, x);
+  own.friction = std::make_shared<Friction>();
+  if (!own.candidates || !own.candidates->cover(x)) {
+    own.candidates = std::make_shared<Candidates>(mesh_, tree_, x, x, distance_, margin_);
+  }
+  measure(own);
+  own.friction = frictionFrom(own);
+  finish(own);
 }
 
 void ContactPotential::filterStart(const Positions& before, Iterate& at, Positions& x) const {
   ContactIterate& own = of(at);
-  cover(own, x);
+  if (!cover(own, x)) return;
   separate(own.candidates->pairs(), own.gaps, before, x);
 }
 
@@ -126,6 +174,7 @@ double ContactPotential::value(const Positions& x, const Iterate& from, Iterate&
   const bool covered = source.candidates->cover(x);
   own.x = x;
   own.candidates = covered ? source.candidates : candidatesOf(source.x, x);
+  if (!own.candidates->complete()) return std::numeric_limits<double>::infinity();
   own.contacts.clear();
   own.impacts.clear();
   const std::vector<ContactPair>& pairs = own.candidates->pairs();
@@ -142,6 +191,10 @@ double ContactPotential::value(const Positions& x, const Iterate& from, Iterate&
     own.gaps[i] = closest.distance;
     if (addContact(pair, closest, own)) sum += energyOf(own.contacts.back());
   }
+  own.friction = source.friction;
+  for (const FrictionPair& pair : own.friction->pairs) {
+    sum += pair.bound * smoothSlip(slip(pair, own.friction->start, x).norm(), sticking_).value;
+  }
   finish(own);
   return sum;
 }
@@ -149,21 +202,34 @@ double ContactPotential::value(const Positions& x, const Iterate& from, Iterate&
 std::optional<Infeasibility> ContactPotential::findInfeasibility(const Positions& x,
                                                                  const Iterate& from) const {
   const Positions& start = of(from).x;
-  for (const ContactPair& pair : candidatesOf(start, x)->pairs()) {
+  const auto candidates = candidatesOf(start, x);
+  if (!candidates->complete()) return Infeasibility{"paper would jump", -1};
+  for (const ContactPair& pair : candidates->pairs()) {
     if (isFree(pair, start, x)) continue;
     return Infeasibility{"paper would pass through paper", pair.vertices[0]};
   }
   return std::nullopt;
 }
 
-/// W = k r^2 m b(d / r) for the reach r, the mollifier m and the barrier b: k is the stiffness of
-/// contact whatever the reach.
-double ContactPotential::energyOf(const Contact& contact) const {
-  const double reach = contact.pair.reach;
-  return stiffness_ * reach * reach * contact.mollifier.value * contact.barrier.value;
+/// Stiffness of a pair [N/m]: the shorter its reach, the stiffer, so that all bear the same force.
+double ContactPotential::stiffnessOf(const ContactPair& pair) const {
+  return stiffness_ * distance_ / pair.reach;
 }
 
-void ContactPotential::addGradient(const Positions& /*x*/, Iterate& at, Positions& gradient) const {
+/// W = k r^2 m b(d / r) for the stiffness k, the reach r, the mollifier m and the barrier b.
+double ContactPotential::energyOf(const Contact& contact) const {
+  const double reach = contact.pair.reach;
+  return stiffnessOf(contact.pair) * reach * reach * contact.mollifier.value *
+         contact.barrier.value;
+}
+
+/// Derivative of the energy by the distance [N].
+double ContactPotential::forceOf(const Contact& contact) const {
+  return stiffnessOf(contact.pair) * contact.pair.reach * contact.mollifier.value *
+         contact.barrier.first;
+}
+
+void ContactPotential::addGradient(const Positions& x, Iterate& at, Positions& gradient) const {
   if (!of(at).impacts.empty()) {
     of(at).impacts.clear();
     finish(of(at));
@@ -171,15 +237,17 @@ void ContactPotential::addGradient(const Positions& /*x*/, Iterate& at, Position
   for (const Contact& contact : of(at).contacts) {
     if (contact.barrier.value == 0) continue;
     const double reach = contact.pair.reach;
-    const double force = stiffness_ * reach * contact.mollifier.value * contact.barrier.first;
+    const double force = forceOf(contact);
     const Vector3 direction = contact.closest.direction();
     for (int k = 0; k < 4; ++k) {
       auto column = gradient.col(contact.pair.vertices[k]);
       column += force * contact.closest.weights[k] * direction;
       if (contact.mollifier.value == 1) continue;
-      column += stiffness_ * reach * reach * contact.barrier.value * contact.mollifier.gradient[k];
+      column += stiffnessOf(contact.pair) * reach * reach * contact.barrier.value *
+                contact.mollifier.gradient[k];
     }
   }
+  addFriction(x, *of(at).friction, gradient);
 }
 
 const Stencils& ContactPotential::stencils(const Iterate& at) const { return of(at).stencils; }
@@ -190,7 +258,7 @@ void ContactPotential::addHessian(const Positions& x, const Iterate& at, Hessian
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     if (contact.barrier.value == 0) continue;
-    const double stiffness = stiffness_ * contact.mollifier.value;
+    const double stiffness = stiffnessOf(contact.pair) * contact.mollifier.value;
     const Eigen::Matrix<double, 12, 1> gradient = distanceGradient(contact.closest);
     const int stencil = static_cast<int>(i);
     if (kind == HessianKind::kConvex || contact.mollifier.value < 1) {
@@ -205,15 +273,41 @@ void ContactPotential::addHessian(const Positions& x, const Iterate& at, Hessian
   }
   const std::vector<Impact>& impacts = of(at).impacts;
   for (std::size_t i = 0; i < impacts.size(); ++i) {
-    blocks.addRankOne(static_cast<int>(contacts.size() + i), kImpactStiffness * stiffness_,
+    blocks.addRankOne(static_cast<int>(contacts.size() + i),
+                      kImpactStiffness * stiffnessOf(impacts[i].pair),
                       distanceGradient(impacts[i].closest));
+  }
+  addFrictionHessian(x, *of(at).friction, static_cast<int>(contacts.size() + impacts.size()),
+                     blocks);
+}
+
+void ContactPotential::addFriction(const Positions& x, const Friction& friction,
+                                   Positions& gradient) const {
+  for (const FrictionPair& pair : friction.pairs) {
+    const Vector3 s = slip(pair, friction.start, x);
+    const double length = s.norm();
+    if (length == 0) continue;
+    const Vector3 force = pair.bound * smoothSlip(length, sticking_).first / length * s;
+    const Eigen::Matrix<double, 12, 1> forces = pair.slip.transpose() * force;
+    for (int k = 0; k < 4; ++k) gradient.col(pair.pair.vertices[k]) += forces.segment<3>(3 * k);
+  }
+}
+
+void ContactPotential::addFrictionHessian(const Positions& x, const Friction& friction, int first,
+                                          HessianBlocks& blocks) const {
+  for (std::size_t i = 0; i < friction.pairs.size(); ++i) {
+    const FrictionPair& pair = friction.pairs[i];
+    const Eigen::Matrix3d across =
+        pair.bound * slipHessian(slip(pair, friction.start, x), pair.normal, sticking_);
+    blocks.add(first + static_cast<int>(i),
+               Eigen::Matrix<double, 12, 12>(pair.slip.transpose() * across * pair.slip));
   }
 }
 
 bool ContactPotential::anticipate(const Positions& x, Iterate& at, const Positions& step) const {
   ContactIterate& own = of(at);
   const Positions to = x + step;
-  cover(own, to);
+  if (!cover(own, to)) return false;
   const std::vector<ContactPair>& pairs = own.candidates->pairs();
   const std::size_t before = own.impacts.size();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -238,7 +332,7 @@ void ContactPotential::addAnticipated(const Positions& x, const Iterate& at,
     const Vector3 direction = closest.direction();
     double gap = 0;
     for (int k = 0; k < 4; ++k) gap += closest.weights[k] * direction.dot(x.col(pair.vertices[k]));
-    const double force = kImpactStiffness * stiffness_ * (gap - kImpactGap * pair.reach);
+    const double force = kImpactStiffness * stiffnessOf(pair) * (gap - kImpactGap * pair.reach);
     for (int k = 0; k < 4; ++k) {
       gradient.col(pair.vertices[k]) += force * closest.weights[k] * direction;
     }
@@ -248,16 +342,16 @@ void ContactPotential::addAnticipated(const Positions& x, const Iterate& at,
 double ContactPotential::maxFeasibleStep(const Positions& x, Iterate& at,
                                          const Positions& step) const {
   ContactIterate& own = of(at);
-  Positions to = x + step;
-  cover(own, to);
+  double looked = 1;  // the part of the step whose pairs are not too many
+  while (!cover(own, x + looked * step)) looked /= 4;
+  const Positions to = x + looked * step;
   const std::vector<ContactPair>& pairs = own.candidates->pairs();
   double part = 1;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     if (own.gaps[i] - part * approach(pairs[i], x, to) >= kNear * pairs[i].reach) continue;
-    const double free = freePart(pairs[i], x, to);
-    if (free < part) part = free;
+    part = std::min(part, freePart(pairs[i], x, to));
   }
-  return part;
+  return looked * part;
 }
 
 bool ContactPotential::rough(const Iterate& at) const {
@@ -265,6 +359,13 @@ bool ContactPotential::rough(const Iterate& at) const {
     if (contact.barrier.value > 0) return true;
   }
   return false;
+}
+
+double smallestGap(const std::vector<Contact>& contacts) {
+  const auto smallest = std::min_element(
+      contacts.begin(), contacts.end(),
+      [](const Contact& a, const Contact& b) { return a.closest.distance < b.closest.distance; });
+  return smallest == contacts.end() ? -1 : smallest->closest.distance;
 }
 
 std::vector<Contact> ContactPotential::contacts(const Positions& x) const {
@@ -275,6 +376,12 @@ std::vector<Contact> ContactPotential::contacts(const Positions& x) const {
     if (contact.closest.distance < contact.pair.reach) within.push_back(contact);
   }
   return within;
+}
+
+void ContactPotential::addGradient(const Positions& x, Positions& gradient) const {
+  ContactIterate at;
+  start(x, at);
+  addGradient(x, at, gradient);
 }
 
 double ContactPotential::energy(const Positions& x) const {

@@ -12,8 +12,17 @@
 namespace shell_origami {
 
 struct ContactConfig {
-  bool enabled = false;
+  bool enabled = true;
   double distance = 5e-5;  ///< within which paper begins to push, d^ [m]
+  double friction = 0.4;   ///< Coulomb's coefficient, paper on paper
+};
+
+/// Of a ContactPotential.
+struct ContactParameters {
+  double distance;   ///< within which paper begins to push [m]
+  double stiffness;  ///< of a pair of that reach at contact, of the order of the membrane's [N/m]
+  double friction = 0;     ///< Coulomb's coefficient
+  double sticking = 1e-6;  ///< slip within a step below which friction is not yet at its bound [m]
 };
 
 /// Two primitives that are close, and their barrier.
@@ -23,6 +32,9 @@ struct Contact {
   Derivatives barrier;  ///< of the distance over the reach
   Mollifier mollifier;
 };
+
+/// Returns the smallest distance of them [m]; -1: there is none.
+double smallestGap(const std::vector<Contact>& contacts);
 
 /// Two primitives that a step would bring together, with their closest points at that time.
 struct Impact {
@@ -35,13 +47,16 @@ struct Impact {
 /// no edge through another one.
 class ContactPotential : public Potential {
  public:
-  /// \param stiffness of one pair at contact, of the order of the membrane's [N/m]
-  /// \pre no parts of the sheet cross in the configurations that start() is given
-  ContactPotential(const Sheet& sheet, double distance, double stiffness);
+  /// \param crossing what passes through itself where the paper is: left out of contact. Nothing
+  /// else may cross in a configuration that start() is given.
+  ContactPotential(const Sheet& sheet, const ContactParameters& parameters,
+                   const std::vector<TrianglePair>& crossing = {});
 
   /// The pairs within their reach, in a fixed order.
   std::vector<Contact> contacts(const Positions& x) const;
   double energy(const Positions& x) const;  ///< [J]
+  /// Adds dW/dx [N].
+  void addGradient(const Positions& x, Positions& gradient) const;
 
   std::unique_ptr<Iterate> makeIterate() const override;
   void start(const Positions& x, Iterate& at) const override;
@@ -60,19 +75,27 @@ class ContactPotential : public Potential {
 
  private:
   struct ContactIterate;
+  struct Friction;
   static const ContactIterate& of(const Iterate& at);
   static ContactIterate& of(Iterate& at);
 
   std::shared_ptr<const Candidates> candidatesOf(const Positions& from, const Positions& to) const;
-  void cover(ContactIterate& at, const Positions& to) const;
+  bool cover(ContactIterate& at, const Positions& to) const;
   void measure(ContactIterate& at) const;
   bool addContact(const ContactPair& pair, const ClosestPoints& closest, ContactIterate& at) const;
   void finish(ContactIterate& at) const;
+  double stiffnessOf(const ContactPair& pair) const;
+  double forceOf(const Contact& contact) const;
+  std::shared_ptr<const Friction> frictionFrom(const ContactIterate& at) const;
+  void addFriction(const Positions& x, const Friction& friction, Positions& gradient) const;
+  void addFrictionHessian(const Positions& x, const Friction& friction, int first,
+                          HessianBlocks& blocks) const;
   double energyOf(const Contact& contact) const;
 
   CollisionMesh mesh_;
   BoundingTree tree_;
-  double distance_, stiffness_, margin_;
+  double distance_, stiffness_, friction_, sticking_, margin_;
+  std::size_t most_;
 };
 
 }  // namespace shell_origami

@@ -5,6 +5,8 @@
 #include <shell_origami/dynamics/integrator.h>
 #include <shell_origami/dynamics/newton.h>
 
+#include <utility>
+
 namespace shell_origami {
 
 class ImplicitSolver {
@@ -17,6 +19,8 @@ class ImplicitSolver {
 
   const SolverState& state() const { return newton_.state(); }
   void restoreState(const SolverState& state) { newton_.restoreState(state); }
+  const VertexGraph& pattern() const { return newton_.pattern(); }
+  bool restorePattern(VertexGraph pattern) { return newton_.restorePattern(std::move(pattern)); }
 
   /// Moves x to the minimum of energy and inertia, within the tolerance. The search begins at
   /// `start`, or where the paper cannot get there in one step, at `before`; prescribed vertices

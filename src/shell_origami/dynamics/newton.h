@@ -6,6 +6,7 @@
 #include <shell_origami/linear/stencil_system.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
@@ -60,6 +61,10 @@ class Newton {
 
   const SolverState& state() const { return state_; }
   void restoreState(const SolverState& state) { state_ = state; }
+
+  /// The pattern of the system's matrix, which is history, for solves that give the same bits.
+  const VertexGraph& pattern() const { return system_.pattern(); }
+  bool restorePattern(VertexGraph pattern) { return system_.restorePattern(std::move(pattern)); }
 
   /// Moves x from where it starts to the minimum of the potentials and the inertia, within
   /// `tolerance` [m]. Every step is one that all potentials permit, and so is the way to the start

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 
 namespace shell_origami {
 
@@ -32,6 +33,10 @@ class Stepper {
   const SolverState& state() const { return solver_->state(); }
   /// \pre setFree() was called
   void restoreState(const SolverState& state) { solver_->restoreState(state); }
+  /// The pattern of the matrix, which another stepper needs as well to continue to the bit. Returns
+  /// false where it does not fit the free vertices. \pre setFree() was called
+  const VertexGraph& pattern() const { return solver_->pattern(); }
+  bool restorePattern(VertexGraph pattern) { return solver_->restorePattern(std::move(pattern)); }
 
   /// Advances `motion` by one time step. `masses` [kg] are lumped, one for each vertex;
   /// `air_damping` [1/s] is mass-proportional. A step that fails is divided in two down to

@@ -3,6 +3,13 @@
 #include <utility>
 
 namespace shell_origami {
+namespace {
+
+/// A pattern may be so many times larger than needed before it starts anew: each block more costs
+/// time in every factorization, a new pattern an analysis, as much as some factorizations.
+constexpr double kSpare = 1.3;
+
+}  // namespace
 
 void StencilSystem::setFree(const std::vector<bool>& free) {
   unknown_count_ = 0;
@@ -15,12 +22,22 @@ void StencilSystem::setFree(const std::vector<bool>& free) {
   targets_.clear();
 }
 
+bool StencilSystem::restorePattern(VertexGraph pattern) {
+  if (!pattern.valid(unknown_count_)) return false;
+  graph_ = std::move(pattern);
+  analyzed_ = false;
+  targets_.clear();
+  return true;
+}
+
 bool StencilSystem::prepare(const std::vector<const Stencils*>& stencils) {
   bool known = analyzed_ && targets_.size() == stencils.size();
   for (std::size_t i = 0; known && i < stencils.size(); ++i) {
     known = targets_[i].found && targets_[i].revision == stencils[i]->revision();
   }
   if (known) return true;
+  // A restored pattern is analyzed as it is: more would not be the one that it was taken of.
+  if (!analyzed_ && !graph_.indices.empty() && !analyze(graph_)) return false;
   return (analyzed_ && findTargets(stencils)) || (grow(stencils) && findTargets(stencils));
 }
 
@@ -38,10 +55,16 @@ bool StencilSystem::findTargets(const std::vector<const Stencils*>& stencils) {
 }
 
 bool StencilSystem::grow(const std::vector<const Stencils*>& stencils) {
+  VertexGraph needed(unknown_count_), grown = graph_;
+  needed.add(stencils, numbers_);
+  grown.add(stencils, numbers_);
+  const bool spare = grown.indices.size() > kSpare * static_cast<double>(needed.indices.size());
+  return analyze(spare ? std::move(needed) : std::move(grown));
+}
+
+bool StencilSystem::analyze(VertexGraph graph) {
   analyzed_ = false;
   ++analyses_;
-  VertexGraph graph = graph_;
-  graph.add(stencils, numbers_);
   const std::vector<int> order = eliminationOrder(graph);
   if (order.empty()) return false;
   std::vector<int> place(order.size());

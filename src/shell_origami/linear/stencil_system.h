@@ -10,13 +10,21 @@
 
 namespace shell_origami {
 
-/// Solves H s = -g for the free vertices. The matrix has the pattern of all stencils since
-/// setFree(), so that stencils that come and go need one analysis and not one each time.
+/// Solves H s = -g for the free vertices. The matrix keeps the pattern of earlier stencils as long
+/// as it is not much larger than needed, so that stencils that come and go need one analysis and
+/// not one each time.
 class StencilSystem {
  public:
   /// Starts a new pattern. `free[v]` is false for vertices that are no unknowns.
   void setFree(const std::vector<bool>& free);
   bool hasUnknowns() const { return unknown_count_ > 0; }
+
+  /// The pattern, by the numbers of the unknowns. It depends on earlier stencils, and the order of
+  /// elimination, on which the bits of a solution depend, on it.
+  const VertexGraph& pattern() const { return graph_; }
+  /// Goes on with the pattern of another system. \pre setFree() was called with the same argument
+  /// as that one's. Returns false where the pattern is of another number of unknowns.
+  bool restorePattern(VertexGraph pattern);
 
   /// Prepares the matrix for these lists of stencils, one for each energy in a fixed order: grows
   /// its pattern and analyzes it anew where a stencil is not covered. Returns false where CHOLMOD
@@ -46,6 +54,7 @@ class StencilSystem {
 
   bool findTargets(const std::vector<const Stencils*>& stencils);
   bool grow(const std::vector<const Stencils*>& stencils);
+  bool analyze(VertexGraph graph);
 
   std::vector<int> numbers_;  ///< of each unknown vertex in graph_, -1 elsewhere
   std::vector<int> rows_;     ///< block row of each unknown vertex, -1 elsewhere

@@ -33,6 +33,18 @@ void VertexGraph::add(const std::vector<const Stencils*>& stencils, const std::v
   *this = fromLists(below);
 }
 
+bool VertexGraph::valid(int size) const {
+  const int count = static_cast<int>(indices.size());
+  if (this->size() != size || starts.front() != 0 || starts.back() != count) return false;
+  for (int j = 0; j < size; ++j) {
+    if (starts[j] > starts[j + 1] || starts[j + 1] > count) return false;
+    for (int k = starts[j], last = j; k < starts[j + 1]; last = indices[k++]) {
+      if (indices[k] <= last || indices[k] >= size) return false;
+    }
+  }
+  return true;
+}
+
 VertexGraph VertexGraph::renumbered(const std::vector<int>& place) const {
   std::vector<std::vector<int>> below(size());
   for (int j = 0; j < size(); ++j) {

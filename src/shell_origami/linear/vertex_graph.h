@@ -20,6 +20,8 @@ class VertexGraph {
   /// Adds what the stencils couple. `rows[v]` is the number of vertex v here, -1 where it is no
   /// unknown.
   void add(const std::vector<const Stencils*>& stencils, const std::vector<int>& rows);
+  /// Whether it is one of `size` vertices, as the comment above says.
+  bool valid(int size) const;
   /// The same graph with vertex i renumbered to place[i].
   VertexGraph renumbered(const std::vector<int>& place) const;
 

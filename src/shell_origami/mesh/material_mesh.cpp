@@ -16,8 +16,8 @@ constexpr double kNearlyFlat = 0.02;  // [rad]
 }  // namespace
 
 MaterialMesh::MaterialMesh(const Triangulation& mesh, const Positions* positions,
-                           std::set<int> held)
-    : mesh_(mesh), held_(std::move(held)) {
+                           std::set<int> held, bool exact)
+    : mesh_(mesh), held_(std::move(held)), exact_(exact) {
   if (positions) {
     for (Eigen::Index v = 0; v < positions->cols(); ++v) space_.push_back(positions->col(v));
   }
@@ -106,6 +106,7 @@ MaterialMesh::Freedom MaterialMesh::freedom(int v) const {
 
 bool MaterialMesh::nearlyFlatAcross(Triangulation::Side side) const {
   if (space_.empty() || mesh_.neighbour(side) == Triangulation::kNone) return true;
+  if (exact_) return false;
   const auto normal = [this](int t) {
     const Triangle& c = mesh_.triangles()[t];
     return Vector3((space_[c[1]] - space_[c[0]]).cross(space_[c[2]] - space_[c[0]]));

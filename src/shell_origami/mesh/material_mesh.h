@@ -19,8 +19,10 @@ class MaterialMesh {
     std::array<int, 2> rail{-1, -1};  ///< the neighbours between which it slides
   };
 
-  /// `positions` in space, or null for a flat sheet; `held` vertices are never shifted.
-  MaterialMesh(const Triangulation& mesh, const Positions* positions, std::set<int> held);
+  /// `positions` in space, or null for a flat sheet; `held` vertices are never shifted. `exact`:
+  /// nothing counts as nearly flat, so that edges are split only.
+  MaterialMesh(const Triangulation& mesh, const Positions* positions, std::set<int> held,
+               bool exact = false);
 
   const Triangulation& flat() const { return mesh_; }
   const Vector2& point(int v) const { return mesh_.points()[v]; }
@@ -51,6 +53,7 @@ class MaterialMesh {
   Triangulation mesh_;
   std::vector<Vector3> space_;  ///< empty while the sheet is flat
   std::set<int> held_;
+  bool exact_;
   std::vector<int> touched_;
   double size_ = 0;
 };

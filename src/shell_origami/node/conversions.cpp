@@ -125,6 +125,7 @@ msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs
 msg::Energy energyMessage(const Session& session, const StepReport& step, double real_time_factor,
                           const std_msgs::Header& header) {
   const Energies energies = session.simulation().energies();
+  const std::vector<Contact> contacts = session.simulation().contacts();
   msg::Energy message;
   message.header = header;
   message.membrane = energies.membrane;
@@ -132,6 +133,9 @@ msg::Energy energyMessage(const Session& session, const StepReport& step, double
   message.strain_energy = energies.strain();
   message.kinetic = energies.kinetic;
   message.gravity = energies.gravity;
+  message.contact = energies.contact;
+  message.contacts = static_cast<std::uint32_t>(contacts.size());
+  message.min_gap = smallestGap(contacts);
   message.newton_iterations = static_cast<std::uint32_t>(step.newton_iterations);
   message.residual = step.newton_step_rate;
   message.max_strain = session.simulation().maxStrain();

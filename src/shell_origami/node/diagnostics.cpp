@@ -84,6 +84,10 @@ void Diagnostics::paper(Status& status) {
   if (overstretched) {
     status.summaryf(DiagnosticStatus::WARN, "stretched by %.1f %%, further than paper bears",
                     100 * strain);
+  } else if (const auto& blocked = simulation.blocked()) {
+    status.summaryf(DiagnosticStatus::WARN,
+                    "frame %s is held up: vertex %d meets the paper at vertex %d",
+                    blocked->frame.c_str(), blocked->vertex, blocked->by);
   } else if (settled && !missed.empty()) {
     status.summary(DiagnosticStatus::WARN, missedSentence(missed));
   } else {
@@ -96,6 +100,7 @@ void Diagnostics::paper(Status& status) {
   status.add("missed", missed.size());
   status.add("strain_energy", energies.strain());
   status.add("kinetic_energy", energies.kinetic);
+  status.add("contacts", simulation.contacts().size());
 }
 
 /// Once, and again only after the paper was relieved.

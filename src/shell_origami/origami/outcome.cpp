@@ -114,4 +114,18 @@ std::string missedSentence(const std::vector<MissedCrease>& missed) {
   return text.str();
 }
 
+std::string crossingSentence(const Simulation& simulation) {
+  const std::vector<TrianglePair> crossing = simulation.crossings();
+  if (crossing.empty()) return "";
+  const Sheet& sheet = simulation.sheet();
+  const Triangle& t = sheet.triangles()[crossing.front()[0]];
+  const auto& flat = sheet.flatPositions();
+  const Vector2 place = (flat[t[0]] + flat[t[1]] + flat[t[2]]) / 3;
+  std::ostringstream text;
+  text << "paper passes through itself: " << crossing.size()
+       << " pairs of triangles, one of them at (" << place.x() << ", " << place.y()
+       << ") of the flat sheet";
+  return text.str();
+}
+
 }  // namespace shell_origami

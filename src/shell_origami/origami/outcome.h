@@ -28,4 +28,7 @@ std::vector<MissedCrease> missedCreases(const Simulation& simulation);
 /// One sentence: how many creases missed their targets, and which one by most. Empty: none.
 std::string missedSentence(const std::vector<MissedCrease>& missed);
 
+/// One sentence: how much of the paper passes through itself, and where. Empty: nothing.
+std::string crossingSentence(const Simulation& simulation);
+
 }  // namespace shell_origami

@@ -87,15 +87,17 @@ const ParameterTable<SimulationConfig>& simulationParameters() {
        "Newton iterations before a step is cut in two", "", between(1, 1000)},
       {"fold_duration", at(&Config::fold_duration), "of a fold that states none", "s", kPositive,
        kLive},
+      {"contact/enabled", [](Config& config) { return Place(&config.contact.enabled); },
+       "whether paper cannot pass through itself", "", kUnbounded},
+      {"contact/distance", [](Config& config) { return Place(&config.contact.distance); },
+       "within which paper begins to push paper away", "m", between(1e-6, 1e-2)},
+      {"contact/friction", [](Config& config) { return Place(&config.contact.friction); },
+       "Coulomb's coefficient, paper on paper", "", between(0, 10)},
       {"compliance/factor",
        [](Config& config) { return Place(&config.compliance.factor); },
        "times that the membrane is softer while creases fold; 0: where a pattern needs it",
        "",
        {1, 1e6, false, true}},
-      {"contact/enabled", [](Config& config) { return Place(&config.contact.enabled); },
-       "whether paper cannot pass through itself", "", kUnbounded},
-      {"contact/distance", [](Config& config) { return Place(&config.contact.distance); },
-       "within which paper begins to push paper away", "m", between(1e-6, 1e-2)},
       {"compliance/where", compliantRegion, "which triangles are softer", "", kUnbounded}};
   return table;
 }

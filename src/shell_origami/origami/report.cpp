@@ -57,6 +57,7 @@ std::string lowerExtension(const std::string& path) {
 json makeReport(const Simulation& simulation, const RunRecord& run) {
   const Counters& counters = simulation.counters();
   const Energies energies = simulation.energies();
+  const std::vector<Contact> contacts = simulation.contacts();
   json creases = json::array();
   for (const CreaseStatus& crease : simulation.creases()) creases.push_back(reportCrease(crease));
   json timeouts = json::array();
@@ -75,8 +76,9 @@ json makeReport(const Simulation& simulation, const RunRecord& run) {
           // The energy of incompatible targets: rigid panels with creases at rest have none.
           {"strain_energy", orNull(energies.strain())},
           {"settled", simulation.settled()},
-          {"min_gap", -1},  // contact is not computed
-          {"intersections", -1},
+          {"min_gap", smallestGap(contacts)},
+          {"contacts", contacts.size()},
+          {"intersections", simulation.crossings().size()},
           {"failure", run.failure.empty() ? json(nullptr) : json(run.failure)},
           {"timeouts", std::move(timeouts)},
           {"missed", reportMissed(simulation)},

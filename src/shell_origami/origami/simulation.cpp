@@ -1,7 +1,6 @@
 #include <shell_origami/origami/simulation.h>
 
 #include <shell_origami/base/error.h>
-#include <shell_origami/mesh/intersections.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +22,23 @@ SimulationConfig checked(const SimulationConfig& config) {
   return config;
 }
 
-/// Of a pair in contact [N/m], as a part of the membrane's. As stiff as creases lever the paper
-/// against itself; a softer barrier lets gaps shrink to nothing, and steps take a hundred
-/// iterations.
-double contactStiffness(const Material& material) {
-  constexpr double kPart = 0.02;
-  return kPart * material.youngs_modulus * material.thickness;
+/// Pairs of parts of the triangles in the pairs before an edit.
+std::vector<TrianglePair> followed(const std::vector<TrianglePair>& before, const Remap& remap) {
+  if (before.empty()) return {};
+  std::map<int, std::vector<int>> parts;
+  for (std::size_t t = 0; t < remap.triangles.size(); ++t) {
+    parts[remap.triangles[t]].push_back(static_cast<int>(t));
+  }
+  std::vector<TrianglePair> after;
+  for (const auto& [f, g] : before) {
+    for (int part_f : parts[f]) {
+      for (int part_g : parts[g]) {
+        after.push_back({std::min(part_f, part_g), std::max(part_f, part_g)});
+      }
+    }
+  }
+  std::sort(after.begin(), after.end());
+  return after;
 }
 
 double rootMeanSquare(const Positions& values) {
@@ -88,6 +98,7 @@ Simulation::Simulation(Sheet sheet, const SimulationConfig& config, const Positi
   creases_ =
       CreaseActuation(rest_angles, config_.material.crease_stiffness, shell_.shell(), positions);
   topologyChanged();
+  if (config_.contact.enabled) startContact();
 }
 
 Simulation::Simulation(const Snapshot& snapshot)
@@ -102,14 +113,30 @@ Simulation::Simulation(const Snapshot& snapshot)
       stepper_(config_.solver),
       counters_(snapshot.counters),
       time_(snapshot.time),
-      resting_(snapshot.resting) {
+      resting_(snapshot.resting),
+      left_out_(snapshot.left_out) {
   topologyChanged();
   stepper_.restoreState(snapshot.solver);
+  if (contact_ && !stepper_.restorePattern(snapshot.pattern)) {
+    reject("the matrix's pattern is of another paper");
+  }
 }
 
 Snapshot Simulation::snapshot() const {
-  Snapshot snapshot{config_, sheet_,           motion_,   creases_, compliance_, rest_,
-                    held_,   stepper_.state(), counters_, time_,    resting_};
+  Snapshot snapshot{config_,
+                    sheet_,
+                    motion_,
+                    creases_,
+                    compliance_,
+                    rest_,
+                    held_,
+                    stepper_.state(),
+                    {},
+                    counters_,
+                    time_,
+                    resting_,
+                    left_out_};
+  if (contact_) snapshot.pattern = stepper_.pattern();
   snapshot.creases.synchronize(time_);
   return snapshot;
 }
@@ -121,14 +148,13 @@ void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_b
   motion_.velocities = remap.apply(motion_.velocities, sheet_.vertexCount());
   motion_.accelerations = remap.apply(motion_.accelerations, sheet_.vertexCount());
   held_.follow(motion_.positions);
+  left_out_ = followed(left_out_, remap);
   topologyChanged();
 }
 
 void Simulation::topologyChanged() {
   shell_ = ShellPotential(sheet_, config_.material, config_.gravity);
-  if (config_.contact.enabled) {
-    contact_.emplace(sheet_, config_.contact.distance, contactStiffness(config_.material));
-  }
+  remakeContact();
   rest_.apply(shell_.shell(), shell_.rest);
   updateRestState(time_);
   pinsChanged();
@@ -137,7 +163,7 @@ void Simulation::topologyChanged() {
 /// The energies that move the paper. Made anew at each call, for a simulation may be moved.
 const Potentials& Simulation::potentials() {
   potentials_.assign(1, &shell_);
-  if (contact_) potentials_.push_back(&*contact_);
+  if (contactOn()) potentials_.push_back(&*contact_);
   return potentials_;
 }
 
@@ -190,6 +216,7 @@ StepReport Simulation::step() {
   }
   // Here and not in each fold: of many that begin together each would look at all.
   creases_.synchronize(time_);
+  const bool contact_before = contactOn();
   const double factor = complianceOf(config_.compliance, sheet_, creases_.ramps(), time_);
   if (factor > 1) compliance_.start(factor);
   StepConditions conditions(*this);
@@ -204,10 +231,16 @@ StepReport Simulation::step() {
     stepper_.restoreState(solver);
     return report;
   }
-  held_.arrive();
+  findBlocked();
+  if (!blocked_) held_.arrive();
+  takeInWhatParted();
   ++counters_.steps;
   time_ += config_.solver.time_step;
   compliance_.advance(folding(), config_.solver.time_step);
+  if (contactOn() && !contact_before) {
+    startContact();
+    pinsChanged();
+  }
   giveWay(motion_.positions);
   resting_ = atRest();
   if (resting_) {
@@ -215,21 +248,6 @@ StepReport Simulation::step() {
     motion_.accelerations.setZero();
   }
   return report;
-}
-
-std::vector<std::array<int, 2>> Simulation::crossings() const {
-  // The sides of a slit are one on the flat sheet.
-  std::vector<int> names(sheet_.vertexCount());
-  std::map<std::pair<double, double>, int> first;
-  for (int v = 0; v < sheet_.vertexCount(); ++v) {
-    const Vector2& p = sheet_.flatPositions()[v];
-    names[v] = first.emplace(std::make_pair(p.x(), p.y()), v).first->second;
-  }
-  return intersections(motion_.positions, sheet_.triangles(), names);
-}
-
-std::vector<Contact> Simulation::contacts() const {
-  return contact_ ? contact_->contacts(motion_.positions) : std::vector<Contact>();
 }
 
 std::vector<CreaseStatus> Simulation::creases() const {
@@ -264,7 +282,7 @@ Energies Simulation::energies() const {
   energies.membrane = shell_.membraneEnergy(motion_.positions);
   energies.bending = shell_.bendingEnergy(motion_.positions);
   energies.gravity = shell_.gravityEnergy(motion_.positions);
-  if (contact_) energies.contact = contact_->energy(motion_.positions);
+  if (contactOn()) energies.contact = contact_->energy(motion_.positions);
   energies.kinetic = kineticEnergy(motion_.velocities, shell_.shell().masses());
   return energies;
 }
@@ -275,6 +293,7 @@ std::map<std::string, Wrench> Simulation::holdingWrenches() const {
   Positions forces = (motion_.accelerations + config_.material.air_damping * motion_.velocities) *
                      shell_.shell().masses().asDiagonal();
   shell_.addGradient(motion_.positions, forces);
+  if (contactOn()) contact_->addGradient(motion_.positions, forces);
   const auto add = [&](int v, const Pose& pose, Wrench& wrench) {
     const Vector3 force = pose.orientation.conjugate() * Vector3(forces.col(v));
     wrench.force += force;
@@ -303,7 +322,8 @@ bool Simulation::folding() const { return creases_.runningAt(time_); }
 
 bool Simulation::atRest() const {
   const double still = kAtRest * config_.solver.tolerance;
-  return !folding() && !compliance_.soft() && rootMeanSquare(motion_.velocities) < still &&
+  return !folding() && !compliance_.soft() && !blocked_ &&
+         rootMeanSquare(motion_.velocities) < still &&
          rootMeanSquare(motion_.accelerations) * config_.solver.time_step < still;
 }
 

@@ -2,6 +2,7 @@
 /// The one door to the core: a sheet of paper that is edited, stepped and looked at.
 #pragma once
 
+#include <shell_origami/contact/contact_potential.h>
 #include <shell_origami/dynamics/stepper.h>
 #include <shell_origami/energy/shell_potential.h>
 #include <shell_origami/origami/compliance.h>
@@ -39,6 +40,13 @@ struct Energies {
   double membrane = 0, bending = 0, kinetic = 0, gravity = 0, contact = 0;  ///< [J]
 
   double strain() const { return membrane + bending; }
+};
+
+/// A held vertex that paper stops.
+struct Blocked {
+  int vertex;
+  std::string frame;
+  int by;  ///< vertex of the paper in the way
 };
 
 /// Edits throw std::invalid_argument with a message that names the offending value, and then have
@@ -82,11 +90,12 @@ class Simulation {
   const SimulationConfig& config() const { return config_; }
   const Positions& positions() const { return motion_.positions; }
   const Positions& velocities() const { return motion_.velocities; }
-  /// The pairs of triangles that pass through each other, found by an exact check that has nothing
-  /// in common with contact.
-  std::vector<std::array<int, 2>> crossings() const;
+  /// What of the paper passes through itself. With contact nothing that did not before.
+  std::vector<TrianglePair> crossings() const;
   /// The parts of the paper that touch, in a fixed order.
   std::vector<Contact> contacts() const;
+  /// Where held paper met paper in the last step and could not follow what holds it.
+  const std::optional<Blocked>& blocked() const { return blocked_; }
   const HeldVertices& held() const { return held_; }
   const std::set<int>& pinned() const { return held_.all(); }
   const Counters& counters() const { return counters_; }
@@ -120,6 +129,7 @@ class Simulation {
   SettleEdit make(const SettleEdit& edit, EditRecord& record);
   StopEdit make(const StopEdit& edit, EditRecord& record);
   ConfigureEdit make(const ConfigureEdit& edit, EditRecord& record);
+  FoldLine insertLine(const Segment& line, const std::string& name);
   void foldLine(const Segment& line, const FoldEdit& edit, EditRecord& record);
   void foldNamed(const std::string& name, const FoldEdit& edit, EditRecord& record);
   void startRamp(int crease, double target, const FoldEdit& edit);
@@ -131,12 +141,19 @@ class Simulation {
   const Potentials& potentials();
   void pinsChanged();
   bool atRest() const;
+  bool contactOn() const;
+  void startContact();
+  void remakeContact();
+  void takeInWhatParted();
+  void findBlocked();
+  int inTheWayOf(int v) const;
 
   SimulationConfig config_;
   Sheet sheet_;
   ShellPotential shell_;
   std::optional<ContactPotential> contact_;  ///< none where paper may pass through itself
-  Potentials potentials_;                    ///< scratch of potentials()
+  std::optional<Blocked> blocked_;
+  Potentials potentials_;  ///< scratch of potentials()
   Motion motion_;
   CreaseActuation creases_;
   Compliance compliance_;
@@ -146,6 +163,7 @@ class Simulation {
   Counters counters_;
   double time_ = 0;
   bool resting_ = false;
+  std::vector<TrianglePair> left_out_;  ///< of contact, ascending: what crossed when that began
   std::function<bool()> interrupt_;
 };
 

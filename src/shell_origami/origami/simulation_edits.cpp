@@ -65,7 +65,7 @@ FoldEdit Simulation::make(const FoldEdit& edit, EditRecord& record) {
 
 void Simulation::foldLine(const Segment& line, const FoldEdit& edit, EditRecord& record) {
   const std::vector<Crease> creases_before = sheet_.creases();
-  FoldLine line_made = makeFoldLine(sheet_, line, edit.name, {&motion_.positions, pinned()});
+  FoldLine line_made = insertLine(line, edit.name);
   follow(line_made.remap, creases_before);
   for (std::uint32_t id : line_made.crease_ids) {
     startRamp(sheet_.creaseIndex(id), edit.angle, edit);
@@ -73,6 +73,19 @@ void Simulation::foldLine(const Segment& line, const FoldEdit& edit, EditRecord&
   record.crease_ids = std::move(line_made.crease_ids);
   record.vertices = std::move(line_made.vertices);
   record.parts = line_made.parts;
+}
+
+/// Makes the line in the sheet. Where the repair of slivers would push paper through paper, edges
+/// are split only.
+FoldLine Simulation::insertLine(const Segment& line, const std::string& name) {
+  EditContext context{&motion_.positions, pinned()};
+  if (contactOn() && left_out_.empty()) {
+    Sheet trial = sheet_;
+    const FoldLine made = makeFoldLine(trial, line, name, context);
+    const Positions moved = made.remap.apply(motion_.positions, trial.vertexCount());
+    context.exact = !shell_origami::crossings(trial, moved).empty();
+  }
+  return makeFoldLine(sheet_, line, name, context);
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/origami/parameter_table.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -210,12 +211,30 @@ HeldVertices readHeld(const Json& json, int vertex_count) {
   return HeldVertices(in_place, std::move(grips));
 }
 
+VertexGraph readPattern(const Json& json) {
+  VertexGraph pattern;
+  pattern.starts = json.at("starts").get<std::vector<int>>();
+  pattern.indices = json.at("indices").get<std::vector<int>>();
+  if (pattern.starts.empty()) reject("the matrix's pattern has no columns");
+  return pattern;
+}
+
+std::vector<TrianglePair> readPairs(const Json& json, int triangles) {
+  const auto pairs = json.get<std::vector<TrianglePair>>();
+  for (const auto& [f, g] : pairs) {
+    if (f < 0 || f >= g || g >= triangles) reject("no pair of triangles: ", f, " and ", g);
+  }
+  if (!std::is_sorted(pairs.begin(), pairs.end()))
+    reject("the pairs of triangles are not in order");
+  return pairs;
+}
+
 Snapshot read(const Json& json) {
   const SimulationConfig config = readConfig(json.at("config"));
   checkConfig(config);
   Sheet sheet = readSheet(json.at("sheet"));
   sheet.validate();
-  const int count = sheet.vertexCount();
+  const int count = sheet.vertexCount(), triangles = static_cast<int>(sheet.triangles().size());
   Motion motion{columns(json.at("positions"), count), columns(json.at("velocities"), count),
                 columns(json.at("accelerations"), count), json.at("acceleration_persistence"),
                 json.at("rough")};
@@ -230,9 +249,11 @@ Snapshot read(const Json& json) {
           std::move(rest),
           readHeld(json.at("held"), count),
           {memory.at("contraction"), memory.at("unchecked")},
+          readPattern(memory.at("pattern")),
           countersFrom(json.at("counters")),
           json.at("time"),
-          json.at("resting")};
+          json.at("resting"),
+          readPairs(json.at("left_out"), triangles)};
 }
 
 }  // namespace
@@ -285,10 +306,13 @@ Json toJson(const Snapshot& snapshot) {
       {"rest", {{"set", snapshot.rest.set()}, {"plastic", snapshot.rest.plastic()}}},
       {"held", write(snapshot.held)},
       {"memory",
-       {{"contraction", snapshot.solver.contraction}, {"unchecked", snapshot.solver.unchecked}}},
+       {{"contraction", snapshot.solver.contraction},
+        {"unchecked", snapshot.solver.unchecked},
+        {"pattern", {{"starts", snapshot.pattern.starts}, {"indices", snapshot.pattern.indices}}}}},
       {"counters", toJson(snapshot.counters)},
       {"time", snapshot.time},
-      {"resting", snapshot.resting}};
+      {"resting", snapshot.resting},
+      {"left_out", snapshot.left_out}};
 }
 
 Snapshot snapshotFrom(const Json& json) {

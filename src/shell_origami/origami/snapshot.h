@@ -2,6 +2,7 @@
 /// All that a simulation is at one moment, and how it is kept in a file or a recording.
 #pragma once
 
+#include <shell_origami/contact/crossings.h>
 #include <shell_origami/dynamics/integrator.h>
 #include <shell_origami/energy/rest_shape.h>
 #include <shell_origami/origami/compliance.h>
@@ -10,6 +11,8 @@
 #include <shell_origami/origami/held_vertices.h>
 
 #include <nlohmann/json.hpp>
+
+#include <vector>
 
 namespace shell_origami {
 
@@ -34,9 +37,11 @@ struct Snapshot {
   RestShape rest;
   HeldVertices held;
   SolverState solver;
+  VertexGraph pattern;  ///< of the solver's matrix, where contact made it; otherwise of no vertices
   Counters counters;
   double time = 0;  ///< [s]
   bool resting = false;
+  std::vector<TrianglePair> left_out;  ///< of contact, ascending
 };
 
 nlohmann::json toJson(const SimulationConfig& config);

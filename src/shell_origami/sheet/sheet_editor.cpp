@@ -40,7 +40,7 @@ Vector2 intersection(const Vector2& a, const Vector2& b, const Segment& line) {
 }  // namespace
 
 SheetEditor::SheetEditor(const Sheet& sheet, const EditContext& context)
-    : mesh_(sheet.triangulation(), context.positions, context.held),
+    : mesh_(sheet.triangulation(), context.positions, context.held, context.exact),
       merged_(std::max(mesh_.snap(), kMergedFeature * sheet.meanEdge())),
       shortest_(kShortestEdge * sheet.meanEdge()),
       old_creases_(sheet.creases()) {}

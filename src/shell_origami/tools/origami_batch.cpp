@@ -182,6 +182,8 @@ int fold(const Options& options) {
   const std::string folder = expandedPath(options.out);
   writeResults(simulation, {name, wall.count(), failure, runner.place().timeouts}, folder,
                {frames.file(simulation, name)});
+  const std::string crossing = crossingSentence(simulation);
+  if (!crossing.empty()) std::cerr << "origami_batch: " << crossing << "\n";
   if (failure.empty()) {
     const std::string missed = missedSentence(missedCreases(simulation));
     if (missed.empty()) return 0;

@@ -1,0 +1,92 @@
+/// \file
+/// Paper that meets paper: the solver's work in each step, and how close the layers come.
+#include "bench/run.h"
+#include "bench/scenes.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <string>
+
+namespace shell_origami {
+namespace {
+
+double percentile95(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[values.size() * 95 / 100];
+}
+
+double largest(const std::vector<double>& values) {
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+/// What contact does in a run; distances in micrometers.
+class Closeness {
+ public:
+  void look(const Simulation& simulation) {
+    const std::vector<Contact> contacts = simulation.contacts();
+    most_ = std::max(most_, contacts.size());
+    const double gap = smallestGap(contacts);
+    if (gap >= 0 && (gap_ < 0 || gap < gap_)) gap_ = gap;
+    if (simulation.counters().steps % 10 == 0) crossings_ += simulation.crossings().size();
+  }
+  void report(benchmark::State& state) const {
+    state.counters["contacts_max"] = static_cast<double>(most_);
+    state.counters["gap_um"] = gap_ < 0 ? -1 : 1e6 * gap_;
+    state.counters["crossings"] = static_cast<double>(crossings_);
+  }
+
+ private:
+  std::size_t most_ = 0, crossings_ = 0;
+  double gap_ = -1;
+};
+
+/// Without contact as well: what it costs.
+void touch(benchmark::State& state, const std::string& scene, double softer, bool contact) {
+  for (auto _ : state) {
+    Recipe recipe = touching(scene, static_cast<double>(state.range(0)));
+    recipe.config.compliance.factor = softer;
+    recipe.config.contact.enabled = contact;
+    Run run(recipe);
+    Closeness closeness;
+    std::vector<double> iterations, factorizations;
+    for (Counters before; run.step(); before = run.simulation().counters()) {
+      const Counters& now = run.simulation().counters();
+      iterations.push_back(static_cast<double>(now.newton_iterations - before.newton_iterations));
+      factorizations.push_back(static_cast<double>(now.factorizations - before.factorizations));
+      closeness.look(run.simulation());
+    }
+    run.report(state);
+    closeness.report(state);
+    state.counters["newton_median"] = median(iterations);
+    state.counters["newton_p95"] = percentile95(iterations);
+    state.counters["newton_max"] = largest(iterations);
+    state.counters["factorizations_p95"] = percentile95(factorizations);
+    state.counters["factorizations_max"] = largest(factorizations);
+    state.counters["step_max_ms"] = 1e3 * run.longestStep();
+  }
+}
+
+void enlist(const std::string& name, const std::string& scene, double softer = 1) {
+  for (const bool contact : {true, false}) {
+    benchmark::RegisterBenchmark(
+        (contact ? name : name + "_without").c_str(),
+        [=](benchmark::State& state) { touch(state, scene, softer, contact); })
+        ->Arg(500)
+        ->Arg(2000)
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+[[maybe_unused]] const bool registered = [] {
+  enlist("contact_half_fold", "half_fold");
+  enlist("contact_letter", "letter");
+  enlist("contact_pleats", "pleats");
+  enlist("contact_map_fold", "map_fold");
+  enlist("contact_map_fold_softened", "map_fold", 1000);
+  return true;
+}();
+
+}  // namespace
+}  // namespace shell_origami

@@ -1,0 +1,109 @@
+#include <shell_origami/origami/simulation.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace shell_origami {
+namespace {
+
+/// After so many steps what contact leaves out is looked at again.
+constexpr std::uint64_t kPartingSteps = 10;
+
+/// Speed [m/s] below which friction holds layers together with less than its bound.
+constexpr double kSticking = 1e-4;
+
+/// Pairs in contact are as stiff as creases lever the paper against itself; a softer barrier lets
+/// gaps shrink to nothing, and steps take a hundred iterations.
+ContactParameters contactParameters(const SimulationConfig& config) {
+  constexpr double kPart = 0.02;  // of the membrane's stiffness
+  return {config.contact.distance,
+          kPart * config.material.youngs_modulus * config.material.thickness,
+          config.contact.friction, kSticking * config.solver.time_step};
+}
+
+}  // namespace
+
+/// Whether paper cannot pass through itself now. A pattern folded all at once, for which paper
+/// softens by itself, passes through itself: its layers come to lie in their order on no path that
+/// is known.
+bool Simulation::contactOn() const {
+  const bool by_itself = config_.compliance.factor == 0;
+  return contact_ && !(by_itself && (compliance_.folding() || compliance_.soft()));
+}
+
+/// Makes contact of paper that may cross or touch itself already: such parts are left out.
+void Simulation::startContact() {
+  left_out_ = crossings();
+  remakeContact();
+  if (!contact_) return;
+  for (const Contact& contact : contact_->contacts(motion_.positions)) {
+    left_out_.push_back(contact.pair.faces);
+  }
+  std::sort(left_out_.begin(), left_out_.end());
+  left_out_.erase(std::unique(left_out_.begin(), left_out_.end()), left_out_.end());
+  remakeContact();
+}
+
+void Simulation::remakeContact() {
+  if (!config_.contact.enabled) return;
+  contact_.emplace(sheet_, contactParameters(config_), left_out_);
+}
+
+/// Takes what has parted into contact again.
+void Simulation::takeInWhatParted() {
+  if (left_out_.empty() || counters_.steps % kPartingSteps != 0 || !contactOn()) return;
+  const std::vector<TrianglePair> before = left_out_;
+  std::vector<TrianglePair> still = crossings();
+  left_out_.clear();
+  remakeContact();
+  for (const Contact& contact : contact_->contacts(motion_.positions)) {
+    const TrianglePair& faces = contact.pair.faces;
+    if (std::binary_search(before.begin(), before.end(), faces)) still.push_back(faces);
+  }
+  std::sort(still.begin(), still.end());
+  still.erase(std::unique(still.begin(), still.end()), still.end());
+  left_out_ = std::move(still);
+  remakeContact();
+  pinsChanged();
+}
+
+/// Looks for held vertices that the last step left behind what holds them.
+void Simulation::findBlocked() {
+  blocked_.reset();
+  if (!contactOn() || !held_.moving()) return;
+  Positions wanted = motion_.positions;
+  held_.place(1, wanted);
+  for (const auto& [frame, grip] : held_.grips()) {
+    for (const auto& [v, place] : grip.places) {
+      if (wanted.col(v) == motion_.positions.col(v)) continue;
+      blocked_ = Blocked{v, frame, inTheWayOf(v)};
+      return;
+    }
+  }
+}
+
+/// Returns a vertex of what is closest to v and no part of its surroundings.
+int Simulation::inTheWayOf(int v) const {
+  int by = v;
+  double closest = std::numeric_limits<double>::infinity();
+  for (const Contact& contact : contacts()) {
+    const auto& vertices = contact.pair.vertices;
+    const auto own = std::find(vertices.begin(), vertices.end(), v);
+    if (own == vertices.end() || contact.closest.distance >= closest) continue;
+    closest = contact.closest.distance;
+    const bool first = own - vertices.begin() < firstSize(contact.pair.kind);
+    by = first ? vertices[firstSize(contact.pair.kind)] : vertices[0];
+  }
+  return by;
+}
+
+std::vector<TrianglePair> Simulation::crossings() const {
+  return shell_origami::crossings(sheet_, motion_.positions);
+}
+
+std::vector<Contact> Simulation::contacts() const {
+  return contactOn() ? contact_->contacts(motion_.positions) : std::vector<Contact>();
+}
+
+}  // namespace shell_origami
