@@ -28,7 +28,7 @@ class Run {
   double medianStep() const { return median(step_times_); }  ///< wall time [s]
   double meanStep() const;                                   ///< wall time [s]
 
-  double longestStep() const;                                ///< wall time [s]
+  double longestStep() const;  ///< wall time [s]
 
   /// Writes the cost of the run so far into the benchmark's counters.
   void report(benchmark::State& state) const;
