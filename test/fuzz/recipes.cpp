@@ -85,6 +85,7 @@ std::string fold(const Recipe& recipe) {
   while (runner.update(simulation)) {
     const StepReport report = simulation.step();
     checkWhole(simulation);
+    checkApart(simulation);
     if (!report.converged) return report.failure;
   }
   const double end = simulation.time();

@@ -1,5 +1,7 @@
 #include "test/fuzz/whole.h"
 
+#include <shell_origami/origami/outcome.h>
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -22,6 +24,12 @@ void checkWhole(const Simulation& simulation) {
     const double angle = std::max(std::abs(crease.angle_min), std::abs(crease.angle_max));
     if (!(angle < M_PI)) throw std::logic_error("crease " + crease.name + " is shut");
   }
+}
+
+void checkApart(const Simulation& simulation) {
+  if (simulation.counters().steps % 5 != 0) return;
+  const std::string crossing = crossingSentence(simulation);
+  if (!crossing.empty()) throw std::logic_error(crossing);
 }
 
 }  // namespace shell_origami

@@ -65,7 +65,7 @@ void Simulation::takeInWhatParted() {
   still.erase(std::unique(still.begin(), still.end()), still.end());
   left_out_ = std::move(still);
   remakeContact();
-  pinsChanged();
+  if (left_out_ != before) pinsChanged();
 }
 
 /// Looks for held vertices that the last step left behind what holds them.
