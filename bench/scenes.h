@@ -20,7 +20,8 @@ Recipe dog(double triangles);
 /// A square held along one side, falling under gravity for two seconds.
 Recipe cantilever(double triangles);
 
-/// bench/recipes/<name>.yaml, in which paper meets paper, the flat sheet in about so many triangles.
+/// bench/recipes/<name>.yaml, in which paper meets paper, the flat sheet in about so many
+/// triangles.
 Recipe touching(const std::string& name, double triangles);
 
 /// recipes/miura_1000.yaml.

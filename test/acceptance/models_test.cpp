@@ -91,8 +91,7 @@ TEST_P(ModelTest, TheSameRecipeTwiceGivesTheSameBits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ModelTest,
-                         testing::Values(Model{"dog", {}},
-                                         Model{"elephant", {}},
+                         testing::Values(Model{"dog", {}}, Model{"elephant", {}},
                                          Model{"apple", {"stem_mountain", "stem_valley"}},
                                          Model{"curl", {}}, Model{"miura", {}},
                                          Model{"miura_1000", {}}, Model{"waterbomb", {}},

@@ -123,19 +123,8 @@ Simulation::Simulation(const Snapshot& snapshot)
 }
 
 Snapshot Simulation::snapshot() const {
-  Snapshot snapshot{config_,
-                    sheet_,
-                    motion_,
-                    creases_,
-                    compliance_,
-                    rest_,
-                    held_,
-                    stepper_.state(),
-                    {},
-                    counters_,
-                    time_,
-                    resting_,
-                    left_out_};
+  Snapshot snapshot{config_,          sheet_, motion_,   creases_, compliance_, rest_,    held_,
+                    stepper_.state(), {},     counters_, time_,    resting_,    left_out_};
   if (contact_) snapshot.pattern = stepper_.pattern();
   snapshot.creases.synchronize(time_);
   return snapshot;

@@ -17,8 +17,9 @@ struct EditContext {
   const Positions* positions = nullptr;
   /// Vertices that must not be shifted.
   std::set<int> held;
-  /// Whether the paper keeps its shape exactly: edges are split only, even if slivers stay. Paper is
-  /// never quite flat, and where it touches paper a shifted vertex may come out on the other side.
+  /// Whether the paper keeps its shape exactly: edges are split only, even if slivers stay. Paper
+  /// is never quite flat, and where it touches paper a shifted vertex may come out on the other
+  /// side.
   bool exact = false;
 };
 
