@@ -29,7 +29,7 @@ struct Half {
   std::unique_ptr<Potential::Iterate> start = contact.makeIterate(), at = contact.makeIterate();
 
   explicit Half(double gap) : x(pleated(sheet, 0.03, gap)) { contact.start(x, *start); }
-  bool reaches(const Positions& to) { return std::isfinite(contact.value(to, *start, *at)); }
+  bool reaches(const Positions& to) const { return std::isfinite(contact.value(to, *start, *at)); }
   /// With corner 1, of the upper layer, moved by this.
   Positions withCornerMoved(const Vector3& way) const {
     Positions to = x;
