@@ -20,7 +20,7 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
-/// What contact does in a run; distances in micrometers.
+/// The most contacts, the smallest gap [um] and the crossings of a run.
 class Closeness {
  public:
   void look(const Simulation& simulation) {

@@ -10,8 +10,9 @@ namespace shell_origami {
 /// within 1000 m, so that a certificate in double precision holds for the exact motion as well.
 constexpr double kClosestGap = 1e-8;
 
-/// What a motion leaves of the distance of two primitives: a part of it, or `enough` [m] where that
-/// is less, or `least` [m] where that is more, or all where they are closer than that.
+/// The distance that two primitives keep during a motion: `part` of their distance before it, but
+/// at most `enough` [m] and at least `least` [m]. Primitives that are closer than `least` keep all
+/// of it.
 struct KeptDistance {
   double part, enough, least;
 };

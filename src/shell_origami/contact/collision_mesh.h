@@ -12,9 +12,10 @@
 
 namespace shell_origami {
 
-/// What of a sheet can touch what. Every vertex and every edge belongs to one face, so that a pair
-/// of faces stands for pairs of primitives that no other pair of faces stands for (representative
-/// triangles: Curtis, Tamstorf and Manocha, Fast Collision Detection for Deformable Models, 2008).
+/// The primitives of a sheet that can touch each other. Every vertex and every edge belongs to one
+/// face, so that a pair of faces stands for pairs of primitives that no other pair of faces stands
+/// for (representative triangles: Curtis, Tamstorf and Manocha, Fast Collision Detection for
+/// Deformable Models, 2008).
 class CollisionMesh {
  public:
   explicit CollisionMesh(const Sheet& sheet);

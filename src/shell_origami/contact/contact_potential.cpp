@@ -40,7 +40,7 @@ Eigen::Matrix<double, 12, 1> distanceGradient(const ClosestPoints& closest) {
 
 }  // namespace
 
-/// What touched at the start of a step, and where.
+/// The contacts at the start of a step, and the positions then.
 struct ContactPotential::Friction {
   Positions start;
   std::vector<FrictionPair> pairs;
@@ -134,7 +134,7 @@ void ContactPotential::finish(ContactIterate& at) const {
   }
 }
 
-/// What rubs within a step that starts at the iterate.
+/// Returns the friction of a step that starts at the iterate.
 std::shared_ptr<const ContactPotential::Friction> ContactPotential::frictionFrom(
     const ContactIterate& at) const {
   auto friction = std::make_shared<Friction>();

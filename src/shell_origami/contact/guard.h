@@ -6,6 +6,7 @@
 #include <shell_origami/contact/ccd.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace shell_origami {
 

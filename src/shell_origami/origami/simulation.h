@@ -142,6 +142,7 @@ class Simulation {
   void pinsChanged();
   bool atRest() const;
   bool contactOn() const;
+  std::vector<TrianglePair> touching() const;
   void startContact();
   void remakeContact();
   void takeInWhatParted();

@@ -1,7 +1,9 @@
 #include <shell_origami/origami/simulation.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace shell_origami {
@@ -22,6 +24,22 @@ ContactParameters contactParameters(const SimulationConfig& config) {
           config.contact.friction, kSticking * config.solver.time_step};
 }
 
+// Of ascending lists.
+
+std::vector<TrianglePair> united(const std::vector<TrianglePair>& a,
+                                 const std::vector<TrianglePair>& b) {
+  std::vector<TrianglePair> pairs;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(pairs));
+  return pairs;
+}
+
+std::vector<TrianglePair> common(const std::vector<TrianglePair>& a,
+                                 const std::vector<TrianglePair>& b) {
+  std::vector<TrianglePair> pairs;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(pairs));
+  return pairs;
+}
+
 }  // namespace
 
 /// Whether paper cannot pass through itself now. A pattern folded all at once, for which paper
@@ -32,16 +50,17 @@ bool Simulation::contactOn() const {
   return contact_ && !(by_itself && (compliance_.folding() || compliance_.soft()));
 }
 
+/// The pairs of triangles within reach of each other, ascending, whatever contact leaves out.
+std::vector<TrianglePair> Simulation::touching() const {
+  const ContactPotential whole(sheet_, contactParameters(config_));
+  std::set<TrianglePair> pairs;
+  for (const Contact& contact : whole.contacts(motion_.positions)) pairs.insert(contact.pair.faces);
+  return {pairs.begin(), pairs.end()};
+}
+
 /// Makes contact of paper that may cross or touch itself already: such parts are left out.
 void Simulation::startContact() {
-  left_out_ = crossings();
-  remakeContact();
-  if (!contact_) return;
-  for (const Contact& contact : contact_->contacts(motion_.positions)) {
-    left_out_.push_back(contact.pair.faces);
-  }
-  std::sort(left_out_.begin(), left_out_.end());
-  left_out_.erase(std::unique(left_out_.begin(), left_out_.end()), left_out_.end());
+  left_out_ = united(crossings(), touching());
   remakeContact();
 }
 
@@ -53,19 +72,11 @@ void Simulation::remakeContact() {
 /// Takes what has parted into contact again.
 void Simulation::takeInWhatParted() {
   if (left_out_.empty() || counters_.steps % kPartingSteps != 0 || !contactOn()) return;
-  const std::vector<TrianglePair> before = left_out_;
-  std::vector<TrianglePair> still = crossings();
-  left_out_.clear();
-  remakeContact();
-  for (const Contact& contact : contact_->contacts(motion_.positions)) {
-    const TrianglePair& faces = contact.pair.faces;
-    if (std::binary_search(before.begin(), before.end(), faces)) still.push_back(faces);
-  }
-  std::sort(still.begin(), still.end());
-  still.erase(std::unique(still.begin(), still.end()), still.end());
+  std::vector<TrianglePair> still = united(crossings(), common(touching(), left_out_));
+  if (still == left_out_) return;
   left_out_ = std::move(still);
   remakeContact();
-  if (left_out_ != before) pinsChanged();
+  pinsChanged();
 }
 
 /// Looks for held vertices that the last step left behind what holds them.

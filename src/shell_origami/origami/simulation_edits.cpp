@@ -81,9 +81,13 @@ FoldLine Simulation::insertLine(const Segment& line, const std::string& name) {
   EditContext context{&motion_.positions, pinned()};
   if (contactOn() && left_out_.empty()) {
     Sheet trial = sheet_;
-    const FoldLine made = makeFoldLine(trial, line, name, context);
+    FoldLine made = makeFoldLine(trial, line, name, context);
     const Positions moved = made.remap.apply(motion_.positions, trial.vertexCount());
-    context.exact = !shell_origami::crossings(trial, moved).empty();
+    if (shell_origami::crossings(trial, moved).empty()) {
+      sheet_ = std::move(trial);
+      return made;
+    }
+    context.exact = true;
   }
   return makeFoldLine(sheet_, line, name, context);
 }
