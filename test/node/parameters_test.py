@@ -49,7 +49,7 @@ REFUSALS = [
     ('frame_prefix', '/left', ['frame_prefix', '/left', 'slash']),
     ('diagnostic_period', 0, ['diagnostic_period', '0', 'from 0.1 to 1e6']),
     ('paused', 'yes', ['paused', 'yes', 'true or false']),
-    ('colouring', 'rainbow', ['colouring', 'rainbow', 'curvature or paper or strain']),
+    ('colouring', 'rainbow', ['colouring', 'rainbow', 'contact or curvature or paper or strain']),
     ('clock', 'sundial', ['clock', 'sundial', 'follow or lead']),
     ('clock', 'lead', ['clock', 'lead', 'use_sim_time']),
     ('real_time_factor', -1, ['real_time_factor', '-1']),

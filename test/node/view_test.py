@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """What a viewer of the paper meets: the start waits for it, it hears where its camera is to stand, its
-camera's frame follows the paper, and paper at rest costs nothing."""
+camera's frame follows the paper, contact is shown on demand, and paper at rest costs nothing."""
 
 import os
 import signal
@@ -8,12 +8,13 @@ import signal
 import rospy
 import rostest
 import tf2_ros
+from dynamic_reconfigure.client import Client
 from rosgraph_msgs.msg import Log
 from shell_origami.msg import FoldRecipeActionGoal, View
 from visualization_msgs.msg import Marker, MarkerArray
 
 from moving_frame import MovingFrame
-from origami_client import NodeTest, Origami, Recorder
+from origami_client import NodeTest, Origami, Recorder, line
 from own_node import OwnNode
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -25,6 +26,16 @@ FALLING = 'sheet: {size: [0.15, 0.15], max_edge: 0.03}\ngravity: [0, 0, -9.81]\n
 
 def in_namespace(array, name):
     return [marker for marker in array.markers if marker.ns == name]
+
+
+def vertex_areas(sheet):
+    """A third of the area of each vertex's triangles [m^2]."""
+    areas = [0] * len(sheet.flat_positions)
+    for triangle in sheet.triangles:
+        a, b, c = (sheet.flat_positions[v] for v in triangle.vertex_indices)
+        for v in triangle.vertex_indices:
+            areas[v] += ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 6
+    return areas
 
 
 class ViewTest(NodeTest):
@@ -109,6 +120,32 @@ class ViewTest(NodeTest):
         z = [p.z for p in fallen.positions]
         self.assertLess(abs(frame.translation.z - (min(z) + max(z)) / 2), 0.21 * SIDE)
         self.assertEqual(frame.rotation.w, 1)
+
+    def test_contact_is_seen_on_demand(self):
+        # A letter: the second flap comes to lie on the first.
+        paper = self.begin('letter', colouring='contact', contact_points=True, **{'sheet/max_edge': 0.03})
+        markers = Recorder('/letter/markers', MarkerArray)
+        for x, duration in ((SIDE / 3, 0.3), (2 * SIDE / 3, 0.8)):
+            paper.do('fold', line=line(x, 0, x, SIDE), angle=3.05, duration=duration)
+        state = paper.states.wait(lambda state: state.contact_points and state.settled, timeout=30)
+        # Pressures carry the forces, which each push two layers.
+        force = sum(point.force for point in state.contact_points)
+        areas = vertex_areas(paper.sheets.wait(lambda sheet: sheet.revision == state.revision))
+        carried = sum(p * area for p, area in zip(state.pressures, areas))
+        self.assertEqual(len(state.pressures), len(state.positions))
+        self.assertAlmostEqual(carried / (2 * force), 1, delta=0.02)
+        drawn = markers.wait(lambda m: m.markers[0].header.stamp == state.header.stamp)
+        balls, = in_namespace(drawn, 'contact_points')
+        self.assertEqual((balls.action, len(balls.points)), (Marker.ADD, len(state.contact_points)))
+        label, = in_namespace(drawn, 'pressure')
+        self.assertIn('%.2g Pa' % max(state.pressures), label.text)
+        # Who does not ask for them pays for none.
+        Client('/letter/live', timeout=10).update_configuration({'contact_points': False})
+        markers.wait(lambda m: in_namespace(m, 'contact_points')[0].action == Marker.DELETE,
+                     since=len(markers.all()) - 1)
+        self.assertEqual(paper.state().contact_points, [])
+        other = self.origami.state()
+        self.assertEqual((other.pressures, other.contact_points), ((), []))
 
     def test_overstretched_paper_is_told(self):
         markers = Recorder('/origami/markers', MarkerArray)

@@ -223,7 +223,6 @@ double ContactPotential::energyOf(const Contact& contact) const {
          contact.barrier.value;
 }
 
-/// Derivative of the energy by the distance [N].
 double ContactPotential::forceOf(const Contact& contact) const {
   return stiffnessOf(contact.pair) * contact.pair.reach * contact.mollifier.value *
          contact.barrier.first;

@@ -55,6 +55,8 @@ class ContactPotential : public Potential {
   /// The pairs within their reach, in a fixed order.
   std::vector<Contact> contacts(const Positions& x) const;
   double energy(const Positions& x) const;  ///< [J]
+  /// Returns the derivative of a contact's energy by its distance [N]: not positive, as it pushes.
+  double forceOf(const Contact& contact) const;
   /// Adds dW/dx [N].
   void addGradient(const Positions& x, Positions& gradient) const;
 
@@ -85,7 +87,6 @@ class ContactPotential : public Potential {
   bool addContact(const ContactPair& pair, const ClosestPoints& closest, ContactIterate& at) const;
   void finish(ContactIterate& at) const;
   double stiffnessOf(const ContactPair& pair) const;
-  double forceOf(const Contact& contact) const;
   std::shared_ptr<const Friction> frictionFrom(const ContactIterate& at) const;
   void addFriction(const Positions& x, const Friction& friction, Positions& gradient) const;
   void addFrictionHessian(const Positions& x, const Friction& friction, int first,

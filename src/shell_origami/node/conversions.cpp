@@ -122,6 +122,24 @@ msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs
   return message;
 }
 
+void addContactForces(const Simulation& simulation, bool pressures, bool points,
+                      msg::SheetState& message) {
+  if (!pressures && !points) return;
+  const std::vector<ContactForce> forces = simulation.contactForces();
+  if (pressures) {
+    for (const double pressure : contactPressures(simulation.sheet(), forces)) {
+      message.pressures.push_back(static_cast<float>(pressure));
+    }
+  }
+  if (!points) return;
+  for (const ContactForce& force : forces) {
+    msg::ContactPoint point;
+    point.position = point32(force.point.x(), force.point.y(), force.point.z());
+    point.force = static_cast<float>(force.force.norm());
+    message.contact_points.push_back(point);
+  }
+}
+
 msg::Energy energyMessage(const Session& session, const StepReport& step, double real_time_factor,
                           const std_msgs::Header& header) {
   const Energies energies = session.simulation().energies();

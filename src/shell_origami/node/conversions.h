@@ -19,6 +19,9 @@ namespace shell_origami {
 msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header);
 std::vector<msg::CreaseState> creaseStates(const Simulation& simulation);
 msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs::Header& header);
+/// Adds what only some drawings show.
+void addContactForces(const Simulation& simulation, bool pressures, bool points,
+                      msg::SheetState& message);
 msg::Energy energyMessage(const Session& session, const StepReport& step, double real_time_factor,
                           const std_msgs::Header& header);
 

@@ -14,6 +14,7 @@
 #define Edit EditMessage
 #define View ViewMessage
 #include <shell_origami/AddVertex.h>
+#include <shell_origami/ContactPoint.h>
 #include <shell_origami/Edit.h>
 #include <shell_origami/Energy.h>
 #include <shell_origami/Fold.h>
@@ -39,6 +40,7 @@ using Crease = CreaseMessage;
 using Edit = EditMessage;
 using Sheet = SheetMessage;
 using View = ViewMessage;
+using ::shell_origami::ContactPoint;
 using ::shell_origami::CreaseState;
 using ::shell_origami::Energy;
 using ::shell_origami::FoldRecipeAction;

@@ -69,6 +69,8 @@ ParameterTable<NodeConfig> makeTable() {
         "whether `~markers` shows the vertices' numbers", "", kUnbounded, kLive},
        {"crease_labels", label(&LabelChoice::crease_labels),
         "whether `~markers` shows the creases' names and angles", "", kUnbounded, kLive},
+       {"contact_points", label(&LabelChoice::contact_points),
+        "whether `~markers` shows where layers push each other apart", "", kUnbounded, kLive},
        {"colouring", coloring, "what the colors of `~markers` tell", "", kUnbounded},
        {"clock", clock, "how simulated time runs", "", kUnbounded},
        {"real_time_factor", at(&Config::real_time_factor),

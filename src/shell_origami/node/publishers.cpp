@@ -45,7 +45,10 @@ void Publishers::publish(const Session& session, bool paused, const StepReport& 
   if (revision_ != session.revision()) publishSheet(session, stamp);
   const bool draw = markers_.heard();
   if (draw || state_.getNumSubscribers() > 0) {
-    const msg::SheetState state = stateMessage(session, paused, header(stamp));
+    msg::SheetState state = stateMessage(session, paused, header(stamp));
+    const MarkerPainter& painter = markers_.painter();
+    addContactForces(session.simulation(), painter.showsPressures(), painter.showsContactPoints(),
+                     state);
     state_.publish(state);
     if (draw) markers_.publish(state);
   }

@@ -2,7 +2,7 @@
 /// The one door to the core: a sheet of paper that is edited, stepped and looked at.
 #pragma once
 
-#include <shell_origami/contact/contact_potential.h>
+#include <shell_origami/contact/contact_forces.h>
 #include <shell_origami/dynamics/stepper.h>
 #include <shell_origami/energy/shell_potential.h>
 #include <shell_origami/origami/compliance.h>
@@ -94,6 +94,7 @@ class Simulation {
   std::vector<TrianglePair> crossings() const;
   /// The parts of the paper that touch, in a fixed order.
   std::vector<Contact> contacts() const;
+  std::vector<ContactForce> contactForces() const;  ///< of contacts(), in their order
   /// Where held paper met paper in the last step and could not follow what holds it.
   const std::optional<Blocked>& blocked() const { return blocked_; }
   const HeldVertices& held() const { return held_; }

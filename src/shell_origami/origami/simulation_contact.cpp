@@ -117,4 +117,9 @@ std::vector<Contact> Simulation::contacts() const {
   return contactOn() ? contact_->contacts(motion_.positions) : std::vector<Contact>();
 }
 
+std::vector<ContactForce> Simulation::contactForces() const {
+  if (!contactOn()) return {};
+  return shell_origami::contactForces(*contact_, motion_.positions);
+}
+
 }  // namespace shell_origami

@@ -26,7 +26,8 @@ std::vector<SheetColours::Sides> painted(const std::vector<double>& values, doub
 const std::map<std::string, Coloring>& coloringNames() {
   static const std::map<std::string, Coloring> names{{"paper", Coloring::kPaper},
                                                      {"strain", Coloring::kStrain},
-                                                     {"curvature", Coloring::kCurvature}};
+                                                     {"curvature", Coloring::kCurvature},
+                                                     {"contact", Coloring::kContact}};
   return names;
 }
 
@@ -69,11 +70,15 @@ void SheetColours::setSheet(const msg::Sheet& sheet) {
   if (colouring_ != Coloring::kPaper) measures_ = SheetMeasures(sheet);
 }
 
-std::vector<SheetColours::Sides> SheetColours::draw(const Positions& x) const {
+std::vector<SheetColours::Sides> SheetColours::draw(const Positions& x,
+                                                    const std::vector<float>& pressures) const {
   switch (colouring_) {
     case Coloring::kStrain: return painted(measures_.strains(x), kFullStrain);
     // Valleys are blue, as creases are.
     case Coloring::kCurvature: return painted(measures_.curvatures(x), -kFullCurvature / size_);
+    case Coloring::kContact:
+      if (pressures.empty()) break;
+      return painted(measures_.means(pressures), kFullPressure);
     case Coloring::kPaper: break;
   }
   return {triangles_, {kFront, kBack}};

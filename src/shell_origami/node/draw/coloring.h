@@ -17,6 +17,7 @@ enum class Coloring {
   kPaper,      ///< the front orange, the back cream
   kStrain,     ///< squeezed blue, stretched red
   kCurvature,  ///< bent as a valley blue, as a mountain red
+  kContact,    ///< the harder layers press on each other, the redder
 };
 
 /// The kinds by the names that people write.
@@ -33,9 +34,10 @@ std_msgs::ColorRGBA diverging(double value);
 /// Colours each triangle of a sheet.
 class SheetColours {
  public:
-  /// Strain and curvature that have the strongest colour.
+  /// Strain, curvature and pressure that have the strongest colour.
   static constexpr double kFullStrain = 1e-4;
-  static constexpr double kFullCurvature = 5;  ///< over the size of the sheet: [1/sheetSize]
+  static constexpr double kFullCurvature = 5;    ///< over the size of the sheet: [1/sheetSize]
+  static constexpr double kFullPressure = 1000;  ///< [Pa]
 
   struct Sides {
     std_msgs::ColorRGBA front, back;
@@ -45,8 +47,10 @@ class SheetColours {
 
   /// \pre every vertex that the sheet names exists
   void setSheet(const msg::Sheet& sheet);
-  /// One entry a triangle. \pre x has a column for each vertex of the sheet
-  std::vector<Sides> draw(const Positions& x) const;
+  Coloring coloring() const { return colouring_; }
+  /// One entry a triangle. Where pressures are wanted and there are none, the paper's own colours.
+  /// \pre x has a column for each vertex of the sheet, and pressures [Pa], unless empty, an entry
+  std::vector<Sides> draw(const Positions& x, const std::vector<float>& pressures) const;
 
  private:
   Coloring colouring_;

@@ -19,6 +19,7 @@ const std_msgs::ColorRGBA kText = color(0.10, 0.10, 0.10);
 /// Heights of letters over the paper's size.
 constexpr double kVertexId = 1.0 / 60;
 constexpr double kCreaseLabel = 1.0 / 35;
+constexpr double kPressureLabel = 1.0 / 28;
 constexpr double kWarningText = 1.0 / 18;
 
 Marker newText(const char* name, std::size_t id, const std_msgs::Header& header, double height) {
@@ -49,6 +50,13 @@ std::string creaseLabel(const msg::Crease& crease, double angle) {
   return (crease.name.empty() ? "crease " + std::to_string(crease.id) : crease.name) + degrees;
 }
 
+/// Above the middle of the paper.
+geometry_msgs::Point placeAbove(const Points& points, double height) {
+  Eigen::Vector3d place = (points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2;
+  place.z() = points.row(2).maxCoeff() + height;
+  return markerPoint(place);
+}
+
 Marker strainWarning(const msg::SheetState& state, const Points& points, double size,
                      const std_msgs::Header& header) {
   Marker marker = newText("warning", 0, header, kWarningText * size);
@@ -60,9 +68,7 @@ Marker strainWarning(const msg::SheetState& state, const Points& points, double 
   std::snprintf(text, sizeof text, "stretched by %.0f %%, further than paper bears",
                 100 * state.max_strain);
   marker.text = text;
-  Eigen::Vector3d place = (points.rowwise().minCoeff() + points.rowwise().maxCoeff()) / 2;
-  place.z() = points.row(2).maxCoeff() + 2 * kWarningText * size;
-  marker.pose.position = markerPoint(place);
+  marker.pose.position = placeAbove(points, 2 * kWarningText * size);
   return marker;
 }
 
@@ -95,6 +101,22 @@ void Labels::draw(const msg::Sheet& sheet, const msg::SheetState& state, const P
              marker.text = creaseLabel(crease, angle);
            });
   array.markers.push_back(strainWarning(state, points, size, header));
+}
+
+Marker pressureLabel(const msg::SheetState& state, const Points& points, double size,
+                     const std_msgs::Header& header) {
+  Marker marker = newText("pressure", 0, header, kPressureLabel * size);
+  marker.pose.position = placeAbove(points, kPressureLabel * size);
+  if (state.pressures.empty()) {
+    marker.text = "no pressures are recorded";
+    return marker;
+  }
+  char text[80];
+  std::snprintf(text, sizeof text, "pressed with up to %.2g Pa, red from %.0f Pa",
+                *std::max_element(state.pressures.begin(), state.pressures.end()),
+                SheetColours::kFullPressure);
+  marker.text = text;
+  return marker;
 }
 
 }  // namespace shell_origami

@@ -12,10 +12,11 @@
 
 namespace shell_origami {
 
-/// What is written on demand.
+/// What is drawn on demand.
 struct LabelChoice {
-  bool vertex_ids = false;     ///< the number of each vertex
-  bool crease_labels = false;  ///< name and angle of each crease
+  bool vertex_ids = false;      ///< the number of each vertex
+  bool crease_labels = false;   ///< name and angle of each crease
+  bool contact_points = false;  ///< where layers push each other apart
 };
 
 /// Writes, and deletes what is not to be seen any longer.
@@ -24,6 +25,7 @@ class Labels {
   explicit Labels(const LabelChoice& choice) : choice_(choice) {}
 
   void choose(const LabelChoice& choice) { choice_ = choice; }
+  const LabelChoice& choice() const { return choice_; }
 
   /// Appends the numbers of vertices, the names and angles of creases, and a warning if the paper,
   /// unless it is soft, is stretched further than paper bears.
@@ -37,5 +39,12 @@ class Labels {
   std::size_t vertices_ = 0;  ///< how many have a number in rviz
   std::size_t creases_ = 0;   ///< how many have a label in rviz
 };
+
+/// The largest pressure, and the one that has the strongest colour, above the paper.
+/// \param points  of the paper
+/// \param size    of the flat sheet [m]
+visualization_msgs::Marker pressureLabel(const msg::SheetState& state,
+                                         const Eigen::Matrix3Xd& points, double size,
+                                         const std_msgs::Header& header);
 
 }  // namespace shell_origami

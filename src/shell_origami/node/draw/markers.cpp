@@ -34,6 +34,12 @@ std_msgs::ColorRGBA creaseColor(double angle) {
   return mixed(flat, full, std::min(1.0, 0.5 + 0.5 * std::abs(angle) / M_PI));
 }
 
+/// Pale blue of a weak force, dark blue of a strong one.
+std_msgs::ColorRGBA contactColor(double force) {
+  const double part = std::min(1.0, std::max(0.0, force / MarkerPainter::kFullForce));
+  return mixed(color(0.65, 0.85, 1.0), color(0.05, 0.05, 0.45), part);
+}
+
 /// Normal of a triangle, twice its area long.
 template <class Corners>
 Eigen::Vector3d areaVector(const Points& points, const Corners& v) {
@@ -84,6 +90,7 @@ bool MarkerPainter::fits(const msg::SheetState& state) const {
   return state.revision == sheet_.revision && !sheet_.triangles.empty() &&
          state.positions.size() == sheet_.flat_positions.size() &&
          state.creases.size() == sheet_.creases.size() &&
+         (state.pressures.empty() || state.pressures.size() == state.positions.size()) &&
          allBelow(state.pinned, state.positions.size());
 }
 
@@ -101,16 +108,18 @@ visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state
   const std::vector<Points> tops = {middle + lift * normal, middle - lift * normal};
 
   visualization_msgs::MarkerArray array;
-  const std::vector<SheetColours::Sides> colours = colours_.draw(middle);
+  const std::vector<SheetColours::Sides> colours = colours_.draw(middle, state.pressures);
   array.markers.push_back(side(true, middle, normal, colours));
   array.markers.push_back(side(false, middle, normal, colours));
   array.markers.push_back(creases(tops, state));
   array.markers.push_back(border(tops));
   array.markers.push_back(pins(middle, state));
+  array.markers.push_back(contactPoints(state));
   const double ground = groundUnder(middle, size_, sheet_.ground);
   array.markers.push_back(shadow(middle, size_, ground, sheet_, header_));
   array.markers.push_back(groundGrid(middle, size_, ground, header_));
   labels_.draw(sheet_, state, middle, normal, size_, array);
+  if (showsPressures()) array.markers.push_back(pressureLabel(state, middle, size_, header_));
   return array;
 }
 
@@ -185,6 +194,20 @@ MarkerPainter::Marker MarkerPainter::pins(const Points& points,
   marker.scale.x = marker.scale.y = marker.scale.z = size_ / 50;
   marker.color = kPin;
   for (const std::uint32_t v : state.pinned) marker.points.push_back(markerPoint(points.col(v)));
+  return finished(marker);
+}
+
+/// Gaps are far too small to see: the balls stand out of the layers above and below them.
+MarkerPainter::Marker MarkerPainter::contactPoints(const msg::SheetState& state) const {
+  Marker marker = newMarker("contact_points", Marker::SPHERE_LIST, header_);
+  marker.scale.x = marker.scale.y = marker.scale.z = size_ / 150;
+  marker.color.a = 1;
+  if (!showsContactPoints()) return finished(marker);
+  for (const msg::ContactPoint& contact : state.contact_points) {
+    const auto& p = contact.position;
+    marker.points.push_back(markerPoint({p.x, p.y, p.z}));
+    marker.colors.push_back(contactColor(contact.force));
+  }
   return finished(marker);
 }
 

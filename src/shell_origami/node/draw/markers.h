@@ -19,6 +19,9 @@ namespace shell_origami {
 /// ids stay the same from one drawing to the next.
 class MarkerPainter {
  public:
+  /// Of a contact point that has the strongest colour [N].
+  static constexpr double kFullForce = 1e-3;
+
   MarkerPainter(const LabelChoice& labels, Coloring colouring)
       : labels_(labels), colours_(colouring) {}
 
@@ -29,6 +32,9 @@ class MarkerPainter {
   bool fits(const msg::SheetState& state) const;
   /// Of the flat sheet [m].
   double size() const { return size_; }
+  /// Whether it draws what states hold on demand only.
+  bool showsPressures() const { return colours_.coloring() == Coloring::kContact; }
+  bool showsContactPoints() const { return labels_.choice().contact_points; }
   /// \pre fits(state)
   visualization_msgs::MarkerArray draw(const msg::SheetState& state);
 
@@ -41,6 +47,7 @@ class MarkerPainter {
   Marker creases(const std::vector<Points>& sides, const msg::SheetState& state) const;
   Marker border(const std::vector<Points>& sides) const;
   Marker pins(const Points& points, const msg::SheetState& state) const;
+  Marker contactPoints(const msg::SheetState& state) const;
   Points normals(const Points& points) const;
 
   Labels labels_;

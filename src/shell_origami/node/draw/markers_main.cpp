@@ -21,6 +21,7 @@ Parameters loadParameters(const ros::NodeHandle& node) {
   reader.read("origami", &parameters.origami);
   reader.read("vertex_ids", &parameters.labels.vertex_ids);
   reader.read("crease_labels", &parameters.labels.crease_labels);
+  reader.read("contact_points", &parameters.labels.contact_points);
   reader.read("colouring",
               shell_origami::Choice(shell_origami::coloringNames(), parameters.colouring));
   reader.rejectUnread();

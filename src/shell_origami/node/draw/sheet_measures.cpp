@@ -157,4 +157,14 @@ std::vector<double> SheetMeasures::curvatures(const Positions& x) const {
   return result;
 }
 
+std::vector<double> SheetMeasures::means(const std::vector<float>& of_vertices) const {
+  std::vector<double> result;
+  result.reserve(triangles_.size());
+  for (const auto& v : triangles_) {
+    const double sum = double{of_vertices[v[0]]} + of_vertices[v[1]] + of_vertices[v[2]];
+    result.push_back(sum / 3);
+  }
+  return result;
+}
+
 }  // namespace shell_origami

@@ -30,6 +30,9 @@ class SheetMeasures {
   /// positive. From the bends of the triangle's edges that are no creases.
   std::vector<double> curvatures(const Positions& x) const;
 
+  /// The means of what the corners have. \pre there is an entry for each vertex of the sheet
+  std::vector<double> means(const std::vector<float>& of_vertices) const;
+
  private:
   /// An edge between two triangles that is no crease.
   struct Bend {
