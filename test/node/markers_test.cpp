@@ -356,8 +356,8 @@ TEST(Labels, ThePressureIsTold) {
   const auto told = [](const Drawn& drawn) {
     return inNamespace(drawn.draw({}, Coloring::kContact), "pressure").at(0);
   };
-  EXPECT_EQ(told(pressed(240, kWidth / 2)).text, "pressed with up to 240 Pa, red from 1000 Pa");
-  EXPECT_EQ(told(pressed(0)).text, "pressed with up to 0 Pa, red from 1000 Pa");
+  EXPECT_EQ(told(pressed(240, kWidth / 2)).text, "pressed with up to 240 Pa, red from 500 Pa");
+  EXPECT_EQ(told(pressed(0)).text, "pressed with up to 0 Pa, red from 500 Pa");
   EXPECT_EQ(told(Drawn(paper(), flat)).text, "no pressures are recorded");
   EXPECT_GT(told(pressed(240)).pose.position.z, 0);
 }

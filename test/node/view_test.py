@@ -138,7 +138,7 @@ class ViewTest(NodeTest):
         balls, = in_namespace(drawn, 'contact_points')
         self.assertEqual((balls.action, len(balls.points)), (Marker.ADD, len(state.contact_points)))
         label, = in_namespace(drawn, 'pressure')
-        self.assertIn('%.2g Pa' % max(state.pressures), label.text)
+        self.assertIn('%.0f Pa' % max(state.pressures), label.text)
         # Who does not ask for them pays for none.
         Client('/letter/live', timeout=10).update_configuration({'contact_points': False})
         markers.wait(lambda m: in_namespace(m, 'contact_points')[0].action == Marker.DELETE,

@@ -37,7 +37,7 @@ class SheetColours {
   /// Strain, curvature and pressure that have the strongest colour.
   static constexpr double kFullStrain = 1e-4;
   static constexpr double kFullCurvature = 5;    ///< over the size of the sheet: [1/sheetSize]
-  static constexpr double kFullPressure = 1000;  ///< [Pa]
+  static constexpr double kFullPressure = 500;  ///< [Pa]
 
   struct Sides {
     std_msgs::ColorRGBA front, back;

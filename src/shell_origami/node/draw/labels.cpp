@@ -106,13 +106,13 @@ void Labels::draw(const msg::Sheet& sheet, const msg::SheetState& state, const P
 Marker pressureLabel(const msg::SheetState& state, const Points& points, double size,
                      const std_msgs::Header& header) {
   Marker marker = newText("pressure", 0, header, kPressureLabel * size);
-  marker.pose.position = placeAbove(points, kPressureLabel * size);
+  marker.pose.position = placeAbove(points, 1.5 * kPressureLabel * size);
   if (state.pressures.empty()) {
     marker.text = "no pressures are recorded";
     return marker;
   }
   char text[80];
-  std::snprintf(text, sizeof text, "pressed with up to %.2g Pa, red from %.0f Pa",
+  std::snprintf(text, sizeof text, "pressed with up to %.0f Pa, red from %.0f Pa",
                 *std::max_element(state.pressures.begin(), state.pressures.end()),
                 SheetColours::kFullPressure);
   marker.text = text;
