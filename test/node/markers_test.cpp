@@ -369,7 +369,7 @@ Drawn touching(const std::vector<double>& forces) {
     drawn.state.contact_points.emplace_back();
     drawn.state.contact_points.back().position =
         Drawn::point({0.01 * static_cast<double>(i), 0.02, 0.03});
-    drawn.state.contact_points.back().force = static_cast<float>(forces[i]);
+    drawn.state.contact_points.back().force.z = forces[i];
   }
   return drawn;
 }
@@ -381,25 +381,30 @@ TEST(ContactPoints, AreBallsOnDemandTheDarkerTheHarderTheyPush) {
   const Marker balls = inNamespace(drawn.draw({false, false, true}), "contact_points").at(0);
   EXPECT_EQ(balls.action, Marker::ADD);
   EXPECT_EQ(balls.type, Marker::SPHERE_LIST);
-  ASSERT_EQ(balls.points.size(), 4u);
-  ASSERT_EQ(balls.colors.size(), 4u);
+  ASSERT_EQ(balls.points.size(), 8u);
+  ASSERT_EQ(balls.colors.size(), 8u);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_NEAR(balls.points[i].x, 0.01 * static_cast<double>(i), 1e-6);
-    EXPECT_NEAR(balls.points[i].y, 0.02, 1e-6);
-    EXPECT_NEAR(balls.points[i].z, 0.03, 1e-6);
-    EXPECT_EQ(balls.colors[i].a, 1);
+    const auto &below = balls.points[2 * i], &above = balls.points[2 * i + 1];
+    for (const auto& p : {below, above}) {
+      EXPECT_NEAR(p.x, 0.01 * static_cast<double>(i), 1e-6);
+      EXPECT_NEAR(p.y, 0.02, 1e-6);
+    }
+    EXPECT_NEAR((below.z + above.z) / 2, 0.03, 1e-6);
+    EXPECT_NEAR(above.z - below.z, i == 0 ? 0 : 2 * kWidth / 150, 1e-6);
+    EXPECT_EQ(balls.colors[2 * i], balls.colors[2 * i + 1]);
+    EXPECT_EQ(balls.colors[2 * i].a, 1);
   }
-  EXPECT_GT(balls.colors[0].g, balls.colors[1].g + 0.3);
-  EXPECT_GT(balls.colors[1].g, balls.colors[2].g + 0.3);
-  EXPECT_EQ(balls.colors[2], balls.colors[3]);
+  EXPECT_GT(balls.colors[0].g, balls.colors[2].g + 0.3);
+  EXPECT_GT(balls.colors[2].g, balls.colors[4].g + 0.3);
+  EXPECT_EQ(balls.colors[4], balls.colors[6]);
 }
 
 TEST(ContactPoints, OfNonsenseHaveColors) {
-  const Drawn drawn = touching({std::numeric_limits<double>::quiet_NaN(), -1e30});
+  const Drawn drawn = touching({std::numeric_limits<double>::quiet_NaN(), 1e300, -1e300});
   const Marker balls = inNamespace(drawn.draw({false, false, true}), "contact_points").at(0);
+  EXPECT_EQ(balls.colors.size(), 6u);
   for (const auto& c : balls.colors) {
-    EXPECT_EQ(
-        c, inNamespace(touching({0}).draw({false, false, true}), "contact_points").at(0).colors[0]);
+    EXPECT_TRUE(c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1);
   }
 }
 

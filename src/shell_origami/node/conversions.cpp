@@ -135,7 +135,9 @@ void addContactForces(const Simulation& simulation, bool pressures, bool points,
   for (const ContactForce& force : forces) {
     msg::ContactPoint point;
     point.position = point32(force.point.x(), force.point.y(), force.point.z());
-    point.force = static_cast<float>(force.force.norm());
+    point.force.x = force.force.x();
+    point.force.y = force.force.y();
+    point.force.z = force.force.z();
     message.contact_points.push_back(point);
   }
 }

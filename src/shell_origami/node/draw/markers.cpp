@@ -197,16 +197,20 @@ MarkerPainter::Marker MarkerPainter::pins(const Points& points,
   return finished(marker);
 }
 
-/// Gaps are far too small to see: the balls stand out of the layers above and below them.
+/// On both sides of the two layers, as lines are: between them nothing would be seen.
 MarkerPainter::Marker MarkerPainter::contactPoints(const msg::SheetState& state) const {
   Marker marker = newMarker("contact_points", Marker::SPHERE_LIST, header_);
-  marker.scale.x = marker.scale.y = marker.scale.z = size_ / 150;
+  marker.scale.x = marker.scale.y = marker.scale.z = size_ / 120;
   marker.color.a = 1;
   if (!showsContactPoints()) return finished(marker);
   for (const msg::ContactPoint& contact : state.contact_points) {
     const auto& p = contact.position;
-    marker.points.push_back(markerPoint({p.x, p.y, p.z}));
-    marker.colors.push_back(contactColor(contact.force));
+    const Eigen::Vector3d force(contact.force.x, contact.force.y, contact.force.z);
+    const Eigen::Vector3d lift = size_ / 150 * force.stableNormalized();
+    for (const double side : {-1, 1}) {
+      marker.points.push_back(markerPoint(Eigen::Vector3d(p.x, p.y, p.z) + side * lift));
+      marker.colors.push_back(contactColor(force.norm()));
+    }
   }
   return finished(marker);
 }
