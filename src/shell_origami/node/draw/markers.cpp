@@ -34,10 +34,10 @@ std_msgs::ColorRGBA creaseColor(double angle) {
   return mixed(flat, full, std::min(1.0, 0.5 + 0.5 * std::abs(angle) / M_PI));
 }
 
-/// Pale blue of a weak force, dark blue of a strong one.
+/// Yellow of a weak force, black of a strong one: no color of paper, creases and pins.
 std_msgs::ColorRGBA contactColor(double force) {
   const double part = std::min(1.0, std::max(0.0, force / MarkerPainter::kFullForce));
-  return mixed(color(0.65, 0.85, 1.0), color(0.05, 0.05, 0.45), part);
+  return mixed(color(1.0, 0.85, 0.1), color(0.05, 0.05, 0.05), part);
 }
 
 /// Normal of a triangle, twice its area long.

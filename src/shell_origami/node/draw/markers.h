@@ -20,7 +20,7 @@ namespace shell_origami {
 class MarkerPainter {
  public:
   /// Of a contact point that has the strongest colour [N].
-  static constexpr double kFullForce = 1e-3;
+  static constexpr double kFullForce = 5e-3;
 
   MarkerPainter(const LabelChoice& labels, Coloring colouring)
       : labels_(labels), colours_(colouring) {}
