@@ -2,104 +2,21 @@
 // written beside them, what the ground shows, and when a drawing differs from another.
 #include <shell_origami/node/draw/ground.h>
 #include <shell_origami/node/draw/marker_publisher.h>
-#include <shell_origami/node/draw/markers.h>
 #include <shell_origami/node/view.h>
-
-#include <shell_origami/mesh/triangulate.h>
 #include <shell_origami/sheet/fold_line.h>
-
-#include <gtest/gtest.h>
+#include "test/node/drawn.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace shell_origami {
 namespace {
 
-constexpr double kWidth = 0.2, kHeight = 0.1;
-
-/// A paper that lies where `place` puts its flat points, as messages have it.
-struct Drawn {
-  msg::Sheet sheet;
-  msg::SheetState state;
-
-  Drawn(const Sheet& paper, const std::function<Vector3(const Vector2&)>& place) {
-    state.header.frame_id = "world";
-    for (const Vector2& p : paper.flatPositions()) {
-      sheet.flat_positions.push_back(point({p.x(), p.y(), 0}));
-      state.positions.push_back(point(place(p)));
-    }
-    for (const Triangle& t : paper.triangles()) {
-      sheet.triangles.emplace_back();
-      for (int k = 0; k < 3; ++k) {
-        sheet.triangles.back().vertex_indices[k] = static_cast<std::uint32_t>(t[k]);
-      }
-    }
-    for (const Crease& crease : paper.creases()) {
-      sheet.creases.emplace_back();
-      sheet.creases.back().vertices.assign(crease.vertices.begin(), crease.vertices.end());
-      state.creases.emplace_back();
-    }
-  }
-
-  static geometry_msgs::Point32 point(const Vector3& p) {
-    geometry_msgs::Point32 result;
-    result.x = static_cast<float>(p.x());
-    result.y = static_cast<float>(p.y());
-    result.z = static_cast<float>(p.z());
-    return result;
-  }
-
-  /// The colours of a side of the paper.
-  std::vector<std_msgs::ColorRGBA> colours(Coloring colouring,
-                                           const std::string& side = "front") const {
-    MarkerPainter painter({}, colouring);
-    painter.setSheet(sheet);
-    EXPECT_TRUE(painter.fits(state));
-    for (const auto& marker : painter.draw(state).markers) {
-      if (marker.ns == side) return marker.colors;
-    }
-    return {};
-  }
-
-  visualization_msgs::MarkerArray draw(const LabelChoice& labels = {},
-                                       Coloring colouring = Coloring::kPaper) const {
-    MarkerPainter painter(labels, colouring);
-    painter.setSheet(sheet);
-    return painter.draw(state);
-  }
-
-  Positions positions() const {
-    Positions x(3, state.positions.size());
-    for (std::size_t i = 0; i < state.positions.size(); ++i) {
-      const auto& p = state.positions[i];
-      x.col(static_cast<Eigen::Index>(i)) << p.x, p.y, p.z;
-    }
-    return x;
-  }
-};
-
-Sheet paper() { return Sheet(triangulateRectangle(kWidth, kHeight, 0.02)); }
-
-Vector3 flat(const Vector2& p) { return {p.x(), p.y(), 0}; }
-
 /// Turned and shifted, so that the rounding of float32 is met.
 Vector3 away(const Vector3& p) {
   const Eigen::AngleAxisd turn(0.7, Vector3(1, 2, 3).normalized());
   return turn * p + Vector3(0.3, -0.2, 0.1);
-}
-
-/// How much redder than blue: 0.11 for the back of paper, 1 for red, negative for blue. Light,
-/// which makes a colour darker, does not change it.
-double redness(const std_msgs::ColorRGBA& c) { return (c.r - c.b) / std::max(c.r, c.b); }
-
-double redness(double value) { return redness(diverging(value)); }
-
-void expectColour(const std::vector<std_msgs::ColorRGBA>& colours, double value, double tolerance) {
-  EXPECT_GT(colours.size(), 50u);
-  for (const auto& c : colours) EXPECT_NEAR(redness(c), redness(value), tolerance);
 }
 
 TEST(Coloring, StretchedPaperIsRedAndSqueezedPaperBlue) {
@@ -159,53 +76,6 @@ TEST(Coloring, AFoldIsNoCurvature) {
   expectColour(drawn.colours(Coloring::kStrain), 0, 0.05);
 }
 
-/// Flat paper whose vertices right of `from` press with the pressure.
-Drawn pressed(double pressure, double from = 0) {
-  Drawn drawn(paper(), flat);
-  for (const auto& p : drawn.sheet.flat_positions) {
-    drawn.state.pressures.push_back(p.x >= from ? static_cast<float>(pressure) : 0);
-  }
-  return drawn;
-}
-
-TEST(Coloring, PressureIsRedOnBothSides) {
-  for (const double part : {0.0, 0.25, 0.5, 1.0, 7.0}) {
-    const Drawn drawn = pressed(part * SheetColours::kFullPressure);
-    for (const char* side : {"front", "back"}) {
-      expectColour(drawn.colours(Coloring::kContact, side), part, 1e-6);
-    }
-  }
-  EXPECT_GT(redness(pressed(SheetColours::kFullPressure).colours(Coloring::kContact)[0]), 0.7);
-}
-
-TEST(Coloring, PressureIsShownWhereItIs) {
-  const Drawn drawn = pressed(SheetColours::kFullPressure, kWidth / 2);
-  const auto colours = drawn.colours(Coloring::kContact);
-  ASSERT_EQ(colours.size(), drawn.sheet.triangles.size());
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    double mean = 0;
-    for (const std::uint32_t v : drawn.sheet.triangles[i].vertex_indices) {
-      mean += drawn.state.pressures[v] / SheetColours::kFullPressure / 3;
-    }
-    EXPECT_NEAR(redness(colours[i]), redness(mean), 1e-6);
-  }
-}
-
-TEST(Coloring, PressuresThatWereNotRecordedLeaveThePaperItsColours) {
-  const Drawn drawn(paper(), flat);
-  EXPECT_EQ(drawn.colours(Coloring::kContact), drawn.colours(Coloring::kPaper));
-  EXPECT_FALSE(drawn.colours(Coloring::kContact) == pressed(0).colours(Coloring::kContact));
-}
-
-TEST(Coloring, PressuresOfAnotherSheetDoNotFit) {
-  Drawn drawn = pressed(1);
-  MarkerPainter painter({}, Coloring::kContact);
-  painter.setSheet(drawn.sheet);
-  EXPECT_TRUE(painter.fits(drawn.state));
-  drawn.state.pressures.pop_back();
-  EXPECT_FALSE(painter.fits(drawn.state));
-}
-
 TEST(Coloring, PaperTellsItsSidesApart) {
   const Drawn drawn(paper(), flat);
   for (const auto& c : drawn.colours(Coloring::kPaper, "front")) EXPECT_GT(redness(c), 0.7);
@@ -230,17 +100,6 @@ TEST(Coloring, NonsenseHasColoursToo) {
       EXPECT_TRUE(c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1);
     }
   }
-}
-
-using visualization_msgs::Marker;
-using visualization_msgs::MarkerArray;
-
-std::vector<Marker> inNamespace(const MarkerArray& array, const std::string& name) {
-  std::vector<Marker> result;
-  for (const Marker& marker : array.markers) {
-    if (marker.ns == name) result.push_back(marker);
-  }
-  return result;
 }
 
 Drawn atHeight(double height) {
@@ -349,68 +208,6 @@ TEST(Labels, OverstretchedPaperIsMarked) {
   EXPECT_LT(warning.color.r, 0.2);
   drawn.state.soft = true;
   EXPECT_EQ(inNamespace(drawn.draw(), "warning").at(0).action, Marker::DELETE);
-}
-
-TEST(Labels, ThePressureIsTold) {
-  EXPECT_TRUE(inNamespace(pressed(240).draw(), "pressure").empty());
-  const auto told = [](const Drawn& drawn) {
-    return inNamespace(drawn.draw({}, Coloring::kContact), "pressure").at(0);
-  };
-  EXPECT_EQ(told(pressed(240, kWidth / 2)).text, "pressed with up to 240 Pa, red from 500 Pa");
-  EXPECT_EQ(told(pressed(0)).text, "pressed with up to 0 Pa, red from 500 Pa");
-  EXPECT_EQ(told(Drawn(paper(), flat)).text, "no pressures are recorded");
-  EXPECT_GT(told(pressed(240)).pose.position.z, 0);
-}
-
-/// Flat paper with contact points of these forces in a row [N].
-Drawn touching(const std::vector<double>& forces) {
-  Drawn drawn(paper(), flat);
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    drawn.state.contact_points.emplace_back();
-    drawn.state.contact_points.back().position =
-        Drawn::point({0.01 * static_cast<double>(i), 0.02, 0.03});
-    drawn.state.contact_points.back().force.z = forces[i];
-  }
-  return drawn;
-}
-
-TEST(ContactPoints, AreBallsOnDemandTheDarkerTheHarderTheyPush) {
-  constexpr double kFull = MarkerPainter::kFullForce;
-  const Drawn drawn = touching({0, kFull / 2, kFull, 3 * kFull});
-  EXPECT_EQ(inNamespace(drawn.draw(), "contact_points").at(0).action, Marker::DELETE);
-  const Marker balls = inNamespace(drawn.draw({false, false, true}), "contact_points").at(0);
-  EXPECT_EQ(balls.action, Marker::ADD);
-  EXPECT_EQ(balls.type, Marker::SPHERE_LIST);
-  ASSERT_EQ(balls.points.size(), 8u);
-  ASSERT_EQ(balls.colors.size(), 8u);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const auto &below = balls.points[2 * i], &above = balls.points[2 * i + 1];
-    for (const auto& p : {below, above}) {
-      EXPECT_NEAR(p.x, 0.01 * static_cast<double>(i), 1e-6);
-      EXPECT_NEAR(p.y, 0.02, 1e-6);
-    }
-    EXPECT_NEAR((below.z + above.z) / 2, 0.03, 1e-6);
-    EXPECT_NEAR(above.z - below.z, i == 0 ? 0 : 2 * kWidth / 150, 1e-6);
-    EXPECT_EQ(balls.colors[2 * i], balls.colors[2 * i + 1]);
-    EXPECT_EQ(balls.colors[2 * i].a, 1);
-  }
-  EXPECT_GT(balls.colors[0].g, balls.colors[2].g + 0.3);
-  EXPECT_GT(balls.colors[2].g, balls.colors[4].g + 0.3);
-  EXPECT_EQ(balls.colors[4], balls.colors[6]);
-}
-
-TEST(ContactPoints, OfNonsenseHaveColors) {
-  const Drawn drawn = touching({std::numeric_limits<double>::quiet_NaN(), 1e300, -1e300});
-  const Marker balls = inNamespace(drawn.draw({false, false, true}), "contact_points").at(0);
-  EXPECT_EQ(balls.colors.size(), 6u);
-  for (const auto& c : balls.colors) {
-    EXPECT_TRUE(c.r >= 0 && c.r <= 1 && c.g >= 0 && c.g <= 1 && c.b >= 0 && c.b <= 1);
-  }
-}
-
-TEST(ContactPoints, PaperThatTouchesNothingHasNone) {
-  const MarkerArray drawn = touching({}).draw({false, false, true});
-  EXPECT_EQ(inNamespace(drawn, "contact_points").at(0).action, Marker::DELETE);
 }
 
 TEST(Drawing, LooksTheSameWhileNothingMovesByMoreThanTheDistance) {

@@ -36,7 +36,7 @@ class SheetColours {
  public:
   /// Strain, curvature and pressure that have the strongest colour.
   static constexpr double kFullStrain = 1e-4;
-  static constexpr double kFullCurvature = 5;    ///< over the size of the sheet: [1/sheetSize]
+  static constexpr double kFullCurvature = 5;   ///< over the size of the sheet: [1/sheetSize]
   static constexpr double kFullPressure = 500;  ///< [Pa]
 
   struct Sides {
