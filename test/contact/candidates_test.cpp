@@ -123,7 +123,7 @@ TEST(Candidates, AreAllPairsThatComeNearInTheirRooms) {
       const Key key = keyOf(kind, vertices);
       allowed.insert(key);
       const double reach = kNear * std::min(kReach, 0.005 * apart);
-      for (const double t : {0.0, 0.3, 0.6, 1.0}) {
+      for (const double t : {0.0, 0.3, 0.6, 1.0, 1.5, Candidates::kAhead}) {
         const Positions x = scene.from + t * (scene.to - scene.from);
         if (distanceAt(kind, vertices, x) - 2 * margin > reach) continue;
         ++near;
@@ -225,15 +225,16 @@ TEST(Candidates, CoverTheirRooms) {
   EXPECT_TRUE(tight.cover(scene.to));
   Random random(1);
   for (int i = 0; i < 200; ++i) {
-    const double t = random.between(0, 1);
+    const double t = random.between(0, Candidates::kAhead);
     Positions x = scene.from + t * (scene.to - scene.from);
     for (int v = 0; v < x.cols(); ++v) x.col(v) += 0.999 * margin * random.direction();
     EXPECT_TRUE(candidates.cover(x));
-    // Out of any box, however it is turned: it reaches by the way's length and the root of 3 times
-    // the margin at most.
+    // Outside, however the box is turned: it reaches by the way and the root of 3 times the margin
+    // at most.
     const int v = random.below(static_cast<int>(x.cols()));
     const double way = (scene.to.col(v) - scene.from.col(v)).norm();
-    x.col(v) = scene.from.col(v) + 1.001 * (std::sqrt(3) * margin + way) * random.direction();
+    const double farthest = std::sqrt(3) * margin + Candidates::kAhead * way;
+    x.col(v) = scene.from.col(v) + 1.001 * farthest * random.direction();
     EXPECT_FALSE(candidates.cover(x));
   }
   Positions nowhere = scene.from;

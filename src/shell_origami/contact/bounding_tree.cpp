@@ -40,15 +40,14 @@ void BoundingTree::divide(const std::vector<Vector2>& centers, std::vector<int>:
   divide(centers, middle, end);
 }
 
-/// The box of each node encloses those of the corners of its faces.
-std::vector<Eigen::AlignedBox3d> BoundingTree::boxesOfNodes(
-    const CollisionMesh& mesh, const std::vector<Eigen::AlignedBox3d>& rooms) const {
-  std::vector<Eigen::AlignedBox3d> boxes(nodes_.size());
+std::vector<MovingBox> BoundingTree::boxesOfNodes(const std::vector<MovingBox>& faces) const {
+  std::vector<MovingBox> boxes(nodes_.size());
   for (int i = static_cast<int>(nodes_.size()) - 1; i >= 0; --i) {
     if (nodes_[i].second < 0) {
-      for (int v : mesh.faces()[nodes_[i].face].vertices) boxes[i].extend(rooms[v]);
+      boxes[i] = faces[nodes_[i].face];
     } else {
-      boxes[i] = boxes[i + 1].merged(boxes[nodes_[i].second]);
+      boxes[i] = boxes[i + 1];
+      boxes[i].extend(boxes[nodes_[i].second]);
     }
   }
   return boxes;

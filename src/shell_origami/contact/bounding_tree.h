@@ -6,9 +6,34 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <vector>
 
 namespace shell_origami {
+
+/// Points that move together: each from a place in a box along a way in a box.
+struct MovingBox {
+  Eigen::AlignedBox3d places, ways;
+
+  void extend(const MovingBox& other) {
+    places.extend(other.places);
+    ways.extend(other.ways);
+  }
+};
+
+/// Whether points of the two boxes may come within `distance` [m], along each axis, at any part of
+/// their ways up to `ahead`, the same for both. What moves alike does not come nearer, however far
+/// it goes.
+inline bool mayMeet(const MovingBox& a, const MovingBox& b, double ahead, double distance) {
+  for (int k = 0; k < 3; ++k) {
+    const double low = b.places.min()[k] - a.places.max()[k];
+    const double high = b.places.max()[k] - a.places.min()[k];
+    const double down = ahead * (b.ways.min()[k] - a.ways.max()[k]);
+    const double up = ahead * (b.ways.max()[k] - a.ways.min()[k]);
+    if (low + std::min(0.0, down) > distance || high + std::max(0.0, up) < -distance) return false;
+  }
+  return true;
+}
 
 /// Faces that lie together on the flat sheet stay together however it is folded, so that the tree
 /// is made once and only its boxes follow the paper.
@@ -16,14 +41,13 @@ class BoundingTree {
  public:
   explicit BoundingTree(const CollisionMesh& mesh);
 
-  /// Calls found(f, g) for every two faces whose corners' boxes meet, each pair once, in an order
-  /// that depends on the tree alone. `rooms` has the box of each vertex.
-  template <class Found>
-  void forEachPair(const CollisionMesh& mesh, const std::vector<Eigen::AlignedBox3d>& rooms,
-                   Found&& found) const {
+  /// Calls found(f, g) for every two faces whose boxes meet, each pair once, in an order that
+  /// depends on the tree alone. `faces` has the box of each face.
+  template <class Meet, class Found>
+  void forEachPair(const std::vector<MovingBox>& faces, Meet&& meet, Found&& found) const {
     if (nodes_.empty()) return;
-    const std::vector<Eigen::AlignedBox3d> boxes = boxesOfNodes(mesh, rooms);
-    within(boxes, 0, found);
+    const std::vector<MovingBox> boxes = boxesOfNodes(faces);
+    within(boxes, 0, meet, found);
   }
 
  private:
@@ -35,31 +59,30 @@ class BoundingTree {
 
   void divide(const std::vector<Vector2>& centers, std::vector<int>::iterator begin,
               std::vector<int>::iterator end);
-  std::vector<Eigen::AlignedBox3d> boxesOfNodes(
-      const CollisionMesh& mesh, const std::vector<Eigen::AlignedBox3d>& rooms) const;
-  template <class Found>
-  void within(const std::vector<Eigen::AlignedBox3d>& boxes, int node, Found& found) const {
+  std::vector<MovingBox> boxesOfNodes(const std::vector<MovingBox>& faces) const;
+  template <class Meet, class Found>
+  void within(const std::vector<MovingBox>& boxes, int node, Meet& meet, Found& found) const {
     if (nodes_[node].second < 0) return;
-    within(boxes, node + 1, found);
-    within(boxes, nodes_[node].second, found);
-    between(boxes, node + 1, nodes_[node].second, found);
+    within(boxes, node + 1, meet, found);
+    within(boxes, nodes_[node].second, meet, found);
+    between(boxes, node + 1, nodes_[node].second, meet, found);
   }
-  template <class Found>
-  void between(const std::vector<Eigen::AlignedBox3d>& boxes, int a, int b, Found& found) const {
-    if (!boxes[a].intersects(boxes[b])) return;
+  template <class Meet, class Found>
+  void between(const std::vector<MovingBox>& boxes, int a, int b, Meet& meet, Found& found) const {
+    if (!meet(boxes[a], boxes[b])) return;
     const bool leaf_a = nodes_[a].second < 0, leaf_b = nodes_[b].second < 0;
     if (leaf_a && leaf_b) {
       found(nodes_[a].face, nodes_[b].face);
     } else if (leaf_a) {
-      between(boxes, a, b + 1, found);
-      between(boxes, a, nodes_[b].second, found);
+      between(boxes, a, b + 1, meet, found);
+      between(boxes, a, nodes_[b].second, meet, found);
     } else if (leaf_b) {
-      between(boxes, a + 1, b, found);
-      between(boxes, nodes_[a].second, b, found);
+      between(boxes, a + 1, b, meet, found);
+      between(boxes, nodes_[a].second, b, meet, found);
     } else {
       for (int child : {a + 1, nodes_[a].second}) {
-        between(boxes, child, b + 1, found);
-        between(boxes, child, nodes_[b].second, found);
+        between(boxes, child, b + 1, meet, found);
+        between(boxes, child, nodes_[b].second, meet, found);
       }
     }
   }

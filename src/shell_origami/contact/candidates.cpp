@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 
 namespace shell_origami {
 namespace {
@@ -28,45 +29,56 @@ Eigen::Matrix3d frameOfLayers(const CollisionMesh& mesh, const Positions& x) {
 
 Candidates::Candidates(const CollisionMesh& mesh, const BoundingTree& tree, const Positions& from,
                        const Positions& to, double reach, double margin, std::size_t most)
-    : reach_(reach), most_(most), turn_(frameOfLayers(mesh, from)), rooms_(mesh.vertexCount()) {
-  const Vector3 around = Vector3::Constant(margin);
-  const Vector3 near = Vector3::Constant(kNear * reach / 2);
-  std::vector<Eigen::AlignedBox3d> inflated(rooms_.size());
-  for (int v = 0; v < mesh.vertexCount(); ++v) {
-    Eigen::AlignedBox3d box(turn_ * from.col(v));
-    box.extend(Vector3(turn_ * to.col(v)));
-    rooms_[v] = {box.min() - around, box.max() + around};
-    inflated[v] = {rooms_[v].min() - near, rooms_[v].max() + near};
-  }
-  tree.forEachPair(mesh, inflated, [&](int f, int g) {
-    if (mesh.leftOut(f, g)) return;
-    addPairs(mesh, inflated, f, g);
-    addPairs(mesh, inflated, g, f);
-  });
+    : reach_(reach),
+      margin_(margin),
+      most_(most),
+      turn_(frameOfLayers(mesh, from)),
+      places_(turn_.lazyProduct(from)),
+      ways_(turn_.lazyProduct(to) - places_) {
+  std::vector<MovingBox> faces;
+  for (const CollisionMesh::Face& face : mesh.faces()) faces.push_back(boxOf(face.vertices));
+  tree.forEachPair(
+      faces, [this](const MovingBox& a, const MovingBox& b) { return meet(a, b); },
+      [&](int f, int g) {
+        if (mesh.leftOut(f, g)) return;
+        addPairs(mesh, faces, f, g);
+        addPairs(mesh, faces, g, f);
+      });
+}
+
+MovingBox Candidates::boxOf(const std::array<int, 2>& edge) const {
+  MovingBox box = boxOf(edge[0]);
+  box.extend(boxOf(edge[1]));
+  return box;
+}
+
+MovingBox Candidates::boxOf(const Triangle& face) const {
+  MovingBox box = boxOf(face[0]);
+  box.extend(boxOf(face[1]));
+  box.extend(boxOf(face[2]));
+  return box;
 }
 
 /// Adds the pairs of what f owns with g, and of its edges with those of g (once: f before g).
-void Candidates::addPairs(const CollisionMesh& mesh, const std::vector<Eigen::AlignedBox3d>& rooms,
-                          int f, int g) {
+void Candidates::addPairs(const CollisionMesh& mesh, const std::vector<MovingBox>& faces, int f,
+                          int g) {
   const CollisionMesh::Face &own = mesh.faces()[f], &other = mesh.faces()[g];
   const auto& [a, b, c] = other.vertices;
-  const TrianglePair faces{std::min(f, g), std::max(f, g)};
-  const Eigen::AlignedBox3d box = rooms[a].merged(rooms[b]).merged(rooms[c]);
+  const TrianglePair pair{std::min(f, g), std::max(f, g)};
   for (int v : own.owned_vertices) {
-    if (v < 0 || !rooms[v].intersects(box) || mesh.incident(v, g)) continue;
-    add(mesh, PairKind::kVertexFace, {v, a, b, c}, faces);
+    if (v < 0 || !meet(boxOf(v), faces[g]) || mesh.incident(v, g)) continue;
+    add(mesh, PairKind::kVertexFace, {v, a, b, c}, pair);
   }
   if (f > g) return;
   for (int e : own.owned_edges) {
     if (e < 0) continue;
-    const auto [a0, a1] = mesh.edges()[e];
-    const Eigen::AlignedBox3d edge_box = rooms[a0].merged(rooms[a1]);
-    if (!edge_box.intersects(box)) continue;
+    const MovingBox edge_box = boxOf(mesh.edges()[e]);
+    if (!meet(edge_box, faces[g])) continue;
     for (int h : other.owned_edges) {
-      if (h < 0) continue;
+      if (h < 0 || mesh.incidentEdges(e, h) || !meet(edge_box, boxOf(mesh.edges()[h]))) continue;
+      const auto [a0, a1] = mesh.edges()[e];
       const auto [b0, b1] = mesh.edges()[h];
-      if (!edge_box.intersects(rooms[b0].merged(rooms[b1])) || mesh.incidentEdges(e, h)) continue;
-      add(mesh, PairKind::kEdgeEdge, {a0, a1, b0, b1}, faces);
+      add(mesh, PairKind::kEdgeEdge, {a0, a1, b0, b1}, pair);
     }
   }
 }
@@ -80,9 +92,23 @@ void Candidates::add(const CollisionMesh& mesh, PairKind kind, const std::array<
   if (complete_) pairs_.push_back({kind, vertices, std::min(reach, reach_), faces});
 }
 
+/// There is one part of the way from which each coordinate differs by the margin at most.
 bool Candidates::cover(const Positions& x) const {
-  for (std::size_t v = 0; v < rooms_.size(); ++v) {
-    if (!rooms_[v].contains(Vector3(turn_ * x.col(v)))) return false;
+  double first = 0, last = kAhead;
+  for (int v = 0; v < x.cols(); ++v) {
+    const Vector3 gone = turn_.lazyProduct(x.col(v)) - places_.col(v);
+    for (int k = 0; k < 3; ++k) {
+      const double way = ways_(k, v);
+      if (way == 0) {
+        if (!(std::abs(gone[k]) <= margin_)) return false;
+        continue;
+      }
+      const double a = (gone[k] - margin_) / way, b = (gone[k] + margin_) / way;
+      first = std::max(first, std::min(a, b));
+      last = std::min(last, std::max(a, b));
+      // Not a number is in no room.
+      if (!(first <= last) || std::isnan(a)) return false;
+    }
   }
   return true;
 }

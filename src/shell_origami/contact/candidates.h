@@ -25,35 +25,48 @@ inline PairPoints pointsOf(const ContactPair& pair, const Positions& x) {
   return {x.col(v[0]), x.col(v[1]), x.col(v[2]), x.col(v[3])};
 }
 
-/// All pairs that may come within kNear reaches as long as every vertex stays in its room: a box
-/// around two configurations with some margin.
+/// All pairs that may come within kNear reaches in a room of configurations: those up to kAhead of
+/// the way from one to another, with a margin in which each vertex is by itself. The room is
+/// convex, so that it holds every straight motion between configurations in it, and it follows
+/// paper that moves on as it did.
 class Candidates {
  public:
   /// \param reach of pairs far from each other on the sheet, d^ [m]
-  /// \param margin of the rooms [m]
+  /// \param margin around each vertex [m]
   /// \param most number of pairs that are looked for
   Candidates(const CollisionMesh& mesh, const BoundingTree& tree, const Positions& from,
              const Positions& to, double reach, double margin,
              std::size_t most = std::numeric_limits<std::size_t>::max());
 
-  /// Whether every vertex is in its room.
+  /// How much of the way is in the room: paper that keeps its speed stays in it for some steps.
+  static constexpr double kAhead = 4;
+
+  /// Whether x is in the room.
   bool cover(const Positions& x) const;
   /// False where there are so many that the rest was left out: paper that flies apart.
   bool complete() const { return complete_; }
-  /// Always in the same order, whatever the rooms.
+  /// Always in the same order, whatever the room.
   const std::vector<ContactPair>& pairs() const { return pairs_; }
 
  private:
-  void addPairs(const CollisionMesh& mesh, const std::vector<Eigen::AlignedBox3d>& rooms, int f,
-                int g);
+  bool meet(const MovingBox& a, const MovingBox& b) const {
+    return mayMeet(a, b, kAhead, 2 * margin_ + kNear * reach_);
+  }
+  MovingBox boxOf(int vertex) const {
+    return {Eigen::AlignedBox3d(Vector3(places_.col(vertex))),
+            Eigen::AlignedBox3d(Vector3(ways_.col(vertex)))};
+  }
+  MovingBox boxOf(const std::array<int, 2>& edge) const;
+  MovingBox boxOf(const Triangle& face) const;
+  void addPairs(const CollisionMesh& mesh, const std::vector<MovingBox>& faces, int f, int g);
   void add(const CollisionMesh& mesh, PairKind kind, const std::array<int, 4>& vertices,
            const TrianglePair& faces);
 
-  double reach_;
+  double reach_, margin_;
   std::size_t most_;
   bool complete_ = true;
-  Eigen::Matrix3d turn_;  ///< into the frame of the boxes
-  std::vector<Eigen::AlignedBox3d> rooms_;
+  Eigen::Matrix3d turn_;     ///< into the frame of the boxes
+  Positions places_, ways_;  ///< of vertices, in that frame
   std::vector<ContactPair> pairs_;
 };
 

@@ -11,8 +11,8 @@
 namespace shell_origami {
 namespace {
 
-/// Part of the sheet's mean edge by which the rooms of candidates are larger than the motion that
-/// they are made for.
+/// Part of the sheet's mean edge by which the room of candidates is larger than the motion that it
+/// is made for.
 constexpr double kMargin = 0.1;
 /// A motion for which more pairs than this come into question is longer than one step may be: paper
 /// that flies apart, in which everything could meet everything. A stack of 16 layers has 50 a
