@@ -23,6 +23,10 @@ TrianglePoints moved(TrianglePoints x, int i, double d) {
   return x;
 }
 
+const MembraneStrain kUnset = MembraneStrain::Zero();
+/// A triangle at rest in this strain.
+const GreenStrain kSet(0.02, -0.05, 0.03);
+
 constexpr double kStretches[] = {0.6, 0.9, 0.999, 1.05, 1.4};
 
 /// What every membrane promises.
@@ -35,17 +39,20 @@ TYPED_TEST(MembraneTest, DerivativesMatchFiniteDifferences) {
   Material material;
   material.poisson_ratio = 0.4;  // above 1/3 the area term counts
   const TypeParam element(kFlat, material);
+  const MembraneStrain rest = element.strainOf(kSet);
   for (const double stretch : kStretches) {
     const TrianglePoints x = inSpace(stretch);
     const double h = 1e-8;  // a millionth of the triangle's size
-    const MembraneGradient gradient = element.gradient(x);
-    const MembraneHessian hessian = element.hessian(x, element.strain(x), false);
+    const MembraneGradient gradient = element.gradient(x, rest);
+    const MembraneHessian hessian = element.hessian(x, element.strain(x) - rest, false);
     MembraneGradient numeric;
     MembraneHessian numeric_hessian;
     for (int i = 0; i < 9; ++i) {
-      numeric[i] = (element.energy(moved(x, i, h)) - element.energy(moved(x, i, -h))) / (2 * h);
+      numeric[i] =
+          (element.energy(moved(x, i, h), rest) - element.energy(moved(x, i, -h), rest)) / (2 * h);
       numeric_hessian.col(i) =
-          (element.gradient(moved(x, i, h)) - element.gradient(moved(x, i, -h))) / (2 * h);
+          (element.gradient(moved(x, i, h), rest) - element.gradient(moved(x, i, -h), rest)) /
+          (2 * h);
     }
     EXPECT_LT((gradient - numeric).norm(), 1e-6 * gradient.norm()) << stretch;
     EXPECT_LT((hessian - numeric_hessian).norm(), 1e-6 * hessian.norm()) << stretch;
@@ -86,8 +93,22 @@ TYPED_TEST(MembraneTest, RigidMotionsCostNothing) {
     x[k] = turn * Eigen::Vector3d(kFlat[k].x(), kFlat[k].y(), 0) + Eigen::Vector3d(1, 2, 3);
   }
   // Rounding of coordinates near 1 against a triangle of 0.01, times E t A.
-  EXPECT_LT(element.energy(x), 1e-22);
+  EXPECT_LT(element.energy(x, kUnset), 1e-22);
   EXPECT_NEAR(element.areaRatio(x), 1, 1e-12);
+}
+
+TYPED_TEST(MembraneTest, ASetTriangleRestsInItsStrain) {
+  const TypeParam element(kFlat, {});
+  Eigen::Matrix2d stretch;  // its own square root of the metric: no shape is lost to rotation
+  stretch << 1.1, 0.04, 0.04, 0.93;
+  const Eigen::Matrix2d green = (stretch * stretch - Eigen::Matrix2d::Identity()) / 2;
+  const MembraneStrain rest = element.strainOf({green(0, 0), green(1, 1), green(0, 1)});
+  TrianglePoints x;
+  for (int k = 0; k < 3; ++k) x[k] << stretch * kFlat[k], 0;
+  EXPECT_LT((element.strain(x) - rest).norm(), 1e-13);
+  // Rounding of strains of 0.1, against a triangle strained so from flat.
+  EXPECT_LT(element.energy(x, rest), 1e-24 * element.energy(x, kUnset));
+  EXPECT_LT(element.gradient(x, rest).norm(), 1e-12 * element.gradient(x, kUnset).norm());
 }
 
 TEST(Membrane, UniaxialTensionPullsWithYoungsModulus) {
@@ -100,7 +121,7 @@ TEST(Membrane, UniaxialTensionPullsWithYoungsModulus) {
     x[k] = {(1 + e) * kFlat[k].x(), (1 - material.poisson_ratio * e) * kFlat[k].y(), 0};
   }
   const double volume = doubleArea(kFlat[0], kFlat[1], kFlat[2]) / 2 * material.thickness;
-  EXPECT_NEAR(element.energy(x) / (volume * material.youngs_modulus * e * e / 2), 1, 1e-5);
+  EXPECT_NEAR(element.energy(x, kUnset) / (volume * material.youngs_modulus * e * e / 2), 1, 1e-5);
 }
 
 TEST(Membrane, AnEquilateralTriangleOfEdgesAndAreaIsThePlaneStressMaterial) {
@@ -119,7 +140,7 @@ TEST(Membrane, AnEquilateralTriangleOfEdgesAndAreaIsThePlaneStressMaterial) {
       x[k].setZero();
       x[k].head<2>() = stretch * flat[k];
     }
-    EXPECT_NEAR(element.energy(x) / expected.energy(x), 1, 1e-5);
+    EXPECT_NEAR(element.energy(x, kUnset) / expected.energy(x, kUnset), 1, 1e-5);
   }
 }
 

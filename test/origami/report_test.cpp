@@ -77,6 +77,8 @@ TEST_F(Report, holdsTheFiguresOfTheRun) {
   EXPECT_EQ(report["factorizations"], simulation_.counters().factorizations);
   EXPECT_GT(report["newton_iterations"], 0);
   EXPECT_EQ(report["max_strain"], simulation_.maxStrain());
+  EXPECT_EQ(report["in_plane_set"]["mean"], 0);
+  EXPECT_EQ(report["in_plane_set"]["worst"], 0);
   EXPECT_EQ(report["kinetic_energy"], simulation_.energies().kinetic);
   EXPECT_EQ(report["settled"], simulation_.settled());
   EXPECT_EQ(report["min_gap"], -1);

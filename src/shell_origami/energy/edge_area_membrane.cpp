@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 
 namespace shell_origami {
 namespace {
@@ -48,7 +49,10 @@ MembraneHessian areaHessian(const TrianglePoints& x) {
 
 EdgeAreaMembrane::EdgeAreaMembrane(const std::array<Vector2, 3>& flat, const Material& material)
     : area_(doubleArea(flat[0], flat[1], flat[2]) / 2) {
-  for (int k = 0; k < 3; ++k) lengths_[k] = (flat[to(k)] - flat[from(k)]).norm();
+  for (int k = 0; k < 3; ++k) {
+    edges_[k] = flat[to(k)] - flat[from(k)];
+    lengths_[k] = edges_[k].norm();
+  }
   const double mu = material.membraneMu(), lambda = material.membraneLambda();
   edge_stiffness_ = area_ * 4 / 3 * mu;
   area_stiffness_ = area_ * std::max(0.0, (lambda - mu) / 2);
@@ -76,18 +80,30 @@ MembraneStrain EdgeAreaMembrane::strainAfter(const TrianglePoints& x,
   return after;
 }
 
-double EdgeAreaMembrane::energy(const TrianglePoints& x) const {
-  const MembraneStrain s = strain(x);
+MembraneStrain EdgeAreaMembrane::strainOf(const GreenStrain& green) const {
+  Eigen::Matrix2d metric;
+  metric << 1 + 2 * green[0], 2 * green[2], 2 * green[2], 1 + 2 * green[1];
+  MembraneStrain strain;
+  for (int k = 0; k < 3; ++k) {
+    strain[k] = std::sqrt(edges_[k].dot(metric * edges_[k])) / lengths_[k] - 1;
+  }
+  strain[3] = std::sqrt(metric.determinant()) - 1;
+  return strain;
+}
+
+double EdgeAreaMembrane::energy(const TrianglePoints& x, const MembraneStrain& rest) const {
+  const MembraneStrain s = strain(x) - rest;
   return edge_stiffness_ * s.head<3>().squaredNorm() + area_stiffness_ * s[3] * s[3];
 }
 
-MembraneGradient EdgeAreaMembrane::gradient(const TrianglePoints& x) const {
-  MembraneGradient gradient = 2 * area_stiffness_ * (areaRatio(x) - 1) / area_ * areaGradient(x);
+MembraneGradient EdgeAreaMembrane::gradient(const TrianglePoints& x,
+                                            const MembraneStrain& rest) const {
+  const MembraneStrain s = strain(x) - rest;
+  MembraneGradient gradient = 2 * area_stiffness_ * s[3] / area_ * areaGradient(x);
   for (int k = 0; k < 3; ++k) {
     const Vector3d e = edge(x, k);
     const double length = e.norm();
-    const Vector3d pull =
-        2 * edge_stiffness_ * (length / lengths_[k] - 1) / lengths_[k] / length * e;
+    const Vector3d pull = 2 * edge_stiffness_ * s[k] / lengths_[k] / length * e;
     gradient.segment<3>(3 * to(k)) += pull;
     gradient.segment<3>(3 * from(k)) -= pull;
   }

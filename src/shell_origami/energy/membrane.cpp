@@ -21,6 +21,12 @@ Eigen::Matrix2d greenStrain(const Eigen::Matrix<double, 3, 2>& f) {
   return (f.transpose() * f - Eigen::Matrix2d::Identity()) / 2;
 }
 
+Eigen::Matrix2d matrixOf(const MembraneStrain& strain) {
+  Eigen::Matrix2d e;
+  e << strain[0], strain[2], strain[2], strain[1];
+  return e;
+}
+
 }  // namespace
 
 MembraneElement::MembraneElement(const std::array<Vector2, 3>& flat, const Material& material) {
@@ -42,14 +48,15 @@ Eigen::Matrix2d MembraneElement::stress(const Eigen::Matrix2d& strain) const {
   return lambda_ * strain.trace() * Eigen::Matrix2d::Identity() + 2 * mu_ * strain;
 }
 
-double MembraneElement::energy(const TrianglePoints& x) const {
-  const Eigen::Matrix2d strain = greenStrain(deformation(x));
+double MembraneElement::energy(const TrianglePoints& x, const MembraneStrain& rest) const {
+  const Eigen::Matrix2d strain = greenStrain(deformation(x)) - matrixOf(rest);
   return lambda_ / 2 * strain.trace() * strain.trace() + mu_ * strain.squaredNorm();
 }
 
-MembraneGradient MembraneElement::gradient(const TrianglePoints& x) const {
+MembraneGradient MembraneElement::gradient(const TrianglePoints& x,
+                                           const MembraneStrain& rest) const {
   const Deformation f = deformation(x);
-  const Deformation force = f * stress(greenStrain(f));
+  const Deformation force = f * stress(greenStrain(f) - matrixOf(rest));
   MembraneGradient gradient;
   gradient.segment<3>(3) = force * shape_.row(1).transpose();
   gradient.segment<3>(6) = force * shape_.row(2).transpose();
@@ -75,9 +82,8 @@ MembraneStrain MembraneElement::strainAfter(const TrianglePoints& x,
 MembraneHessian MembraneElement::hessian(const TrianglePoints& x, const MembraneStrain& strain,
                                          bool projected) const {
   const Deformation f = deformation(x);
-  Eigen::Matrix2d e;
-  e << strain[0], strain[2], strain[2], strain[1];
-  const Eigen::Matrix2d s = projected ? clampToTension(stress(e)) : stress(e);
+  const Eigen::Matrix2d own = stress(matrixOf(strain));
+  const Eigen::Matrix2d s = projected ? clampToTension(own) : own;
   const Eigen::Matrix3d ff = mu_ * f * f.transpose();
   const Eigen::Matrix3d fb = f * shape_.transpose();  // column k: F b_k
   const auto block = [&](int i, int j) -> Eigen::Matrix3d {

@@ -13,25 +13,32 @@ using MembraneGradient = Eigen::Matrix<double, 9, 1>;
 using MembraneHessian = Eigen::Matrix<double, 9, 9>;
 /// The quantities of a deformed triangle of which its energy is a quadratic form; zero when flat.
 using MembraneStrain = Eigen::Vector4d;
+/// E11, E22, E12 along the axes of the flat sheet.
+using GreenStrain = Eigen::Vector3d;
 
 /// W = A t (lambda/2 tr(E)^2 + mu E:E) with the Green strain E = (F^T F - I) / 2 of the flat
-/// triangle's map into space and the plane-stress constants lambda = E nu / (1 - nu^2),
-/// mu = E / (2 (1 + nu)).
+/// triangle's map into space, less the one it rests in, and the plane-stress constants
+/// lambda = E nu / (1 - nu^2), mu = E / (2 (1 + nu)).
 class MembraneElement {
  public:
   MembraneElement() = default;
   MembraneElement(const std::array<Vector2, 3>& flat, const Material& material);
 
-  double energy(const TrianglePoints& x) const;              ///< [J]
-  MembraneGradient gradient(const TrianglePoints& x) const;  ///< [N]
-  /// The exact Hessian where `strain` is strain(x), or with `projected` a positive semidefinite
-  /// one: the stress of the strain is clamped to tension in its geometric part.
+  double energy(const TrianglePoints& x, const MembraneStrain& rest) const;              ///< [J]
+  MembraneGradient gradient(const TrianglePoints& x, const MembraneStrain& rest) const;  ///< [N]
+  /// The exact Hessian where `strain` is strain(x) less the one at rest, or with `projected` a
+  /// positive semidefinite one: the stress of the strain is clamped to tension in its geometric
+  /// part.
   MembraneHessian hessian(const TrianglePoints& x, const MembraneStrain& strain,
                           bool projected) const;
   /// E11, E22, E12, 0.
   MembraneStrain strain(const TrianglePoints& x) const;
   /// The same after a displacement, to first order in it.
   MembraneStrain strainAfter(const TrianglePoints& x, const TrianglePoints& displacement) const;
+  /// What strain() is of a triangle with this Green strain.
+  static MembraneStrain strainOf(const GreenStrain& green) {
+    return {green[0], green[1], green[2], 0};
+  }
   /// Area in space over flat area.
   double areaRatio(const TrianglePoints& x) const;
 

@@ -1,8 +1,9 @@
 /// \file
-/// Rest angles and stiffness of a shell.
+/// Rest angles, rest strains and stiffness of a shell.
 #pragma once
 
 #include <shell_origami/energy/dihedral.h>
+#include <shell_origami/energy/membrane.h>
 
 #include <cmath>
 #include <vector>
@@ -19,6 +20,7 @@ struct RestState {
   std::vector<double> stiffness;  ///< one for each hinge [J]
   /// One for each triangle: the part of the material's membrane stiffness that it has.
   std::vector<double> membrane;
+  std::vector<MembraneStrain> strains;  ///< one for each triangle: in which its membrane rests
 };
 
 }  // namespace shell_origami

@@ -96,6 +96,12 @@ void Shell::setCrease(int crease, double rest_angle, double stiffness, RestState
   }
 }
 
+void Shell::setRestStrain(int triangle, const GreenStrain& green, RestState& rest) const {
+  std::visit(
+      [&](const auto& membranes) { rest.strains[triangle] = membranes[triangle].strainOf(green); },
+      membranes_);
+}
+
 TrianglePoints Shell::pointsOf(const Triangle& t, const Positions& x) const {
   return {x.col(t[0]), x.col(t[1]), x.col(t[2])};
 }
@@ -109,7 +115,8 @@ double Shell::membraneEnergy(const Positions& x, const RestState& rest) const {
   std::visit(
       [&](const auto& membranes) {
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
-          energy += rest.membrane[i] * membranes[i].energy(pointsOf(triangles_[i], x));
+          energy +=
+              rest.membrane[i] * membranes[i].energy(pointsOf(triangles_[i], x), rest.strains[i]);
         }
       },
       membranes_);
@@ -155,7 +162,7 @@ bool Shell::addEnergy(const Positions& x, const RestState& rest,
         for (std::size_t i = 0; i < triangles_.size() && feasible; ++i) {
           const TrianglePoints points = pointsOf(triangles_[i], x);
           feasible = membranes[i].areaRatio(points) > kCollapsed;
-          energy += rest.membrane[i] * membranes[i].energy(points);
+          energy += rest.membrane[i] * membranes[i].energy(points, rest.strains[i]);
         }
       },
       membranes_);
@@ -239,7 +246,7 @@ void Shell::addGradient(const Positions& x, const RestState& rest,
       [&](const auto& membranes) {
         for (std::size_t i = 0; i < triangles_.size(); ++i) {
           const MembraneGradient g =
-              rest.membrane[i] * membranes[i].gradient(pointsOf(triangles_[i], x));
+              rest.membrane[i] * membranes[i].gradient(pointsOf(triangles_[i], x), rest.strains[i]);
           for (int k = 0; k < 3; ++k) gradient.col(triangles_[i][k]) += g.segment<3>(3 * k);
         }
       },
@@ -262,8 +269,9 @@ void Shell::addHessian(const Positions& x, const RestState& rest,
   std::visit(
       [&](const auto& membranes) {
         for (int i = 0; i < triangle_count; ++i) {
+          const MembraneStrain strain = strains[i] - rest.strains[i];
           blocks.add(i, MembraneHessian(rest.membrane[i] *
-                                        membranes[i].hessian(pointsOf(triangles_[i], x), strains[i],
+                                        membranes[i].hessian(pointsOf(triangles_[i], x), strain,
                                                              kind == HessianKind::kConvex)));
         }
       },

@@ -39,12 +39,15 @@ class Shell {
   /// membrane with the material's.
   RestState restState() const {
     return {std::vector<FoldAngle>(hinges_.size()), stiffness_,
-            std::vector<double>(triangles_.size(), 1)};
+            std::vector<double>(triangles_.size(), 1),
+            std::vector<MembraneStrain>(triangles_.size(), MembraneStrain::Zero())};
   }
   /// Sets the rest angle [rad] and stiffness [N*m/rad per m] of a crease's hinges.
   void setCrease(int crease, double rest_angle, double stiffness, RestState& rest) const;
   /// Sets the rest angle [rad] of an ordinary hinge.
   static void setRestAngle(int hinge, double rest_angle, RestState& rest);
+  /// Sets the strain in which a triangle rests.
+  void setRestStrain(int triangle, const GreenStrain& green, RestState& rest) const;
 
   int vertexCount() const { return static_cast<int>(masses_.size()); }
   const Eigen::VectorXd& masses() const { return masses_; }  ///< lumped, one a vertex [kg]
@@ -84,10 +87,10 @@ class Shell {
                    const std::vector<HingeGradient>& angle_gradients, Positions& gradient) const;
   /// The triangles, then the hinges.
   const Stencils& stencils() const { return stencils_; }
-  /// Adds the 9x9 block of every triangle and the 12x12 block of every hinge. `strains` are those
-  /// whose stress makes the geometric stiffness. Hinges: kConvex is the Gauss-Newton block
-  /// psi'' grad(theta) grad(theta)^T, and so is kExact where a hinge is so near rest that its
-  /// torque hardly counts.
+  /// Adds the 9x9 block of every triangle and the 12x12 block of every hinge. `strains`, less those
+  /// at rest, have the stress that makes the geometric stiffness. Hinges: kConvex is the
+  /// Gauss-Newton block psi'' grad(theta) grad(theta)^T, and so is kExact where a hinge is so near
+  /// rest that its torque hardly counts.
   void addHessian(const Positions& x, const RestState& rest, const std::vector<FoldAngle>& angles,
                   const std::vector<HingeGradient>& angle_gradients,
                   const std::vector<MembraneStrain>& strains, HessianKind kind,
@@ -127,9 +130,8 @@ void Shell::forEachExactHessian(const Positions& x, const RestState& rest, Sink&
       [&](const auto& membranes) {
         for (int i = 0; i < triangle_count; ++i) {
           const TrianglePoints points = pointsOf(triangles_[i], x);
-          sink(i,
-               MembraneHessian(rest.membrane[i] *
-                               membranes[i].hessian(points, membranes[i].strain(points), false)));
+          const MembraneStrain strain = membranes[i].strain(points) - rest.strains[i];
+          sink(i, MembraneHessian(rest.membrane[i] * membranes[i].hessian(points, strain, false)));
         }
       },
       membranes_);

@@ -1,5 +1,5 @@
 /// \file
-/// Paper that gives way in its plane while it is folded.
+/// Paper that gives way in its plane while it is folded, and keeps what it cannot lose again.
 #pragma once
 
 #include <shell_origami/energy/shell.h>
@@ -34,6 +34,10 @@ struct ComplianceConfig {
 double complianceOf(const ComplianceConfig& config, const Sheet& sheet,
                     const std::vector<FoldRamp>& ramps, double time);
 
+/// Elastic strain (InPlaneSet::flow) whose stress hardening paper bears, and beyond which it yields
+/// in its plane. Below it lie the strains of patterns that fold flat without set.
+constexpr double kInPlaneYield = 1e-4;
+
 /// The softness of the membrane over time. It softens within kSofteningTime as folds start, and
 /// hardens within kHardeningTime after the last one of them, both evenly in the logarithm of the
 /// stiffness. Meanwhile creases are stiffer, so that they rather than the membrane decide.
@@ -55,6 +59,7 @@ class Compliance {
   bool folding() const { return folding_; }
   /// Whether the membrane is softer than the paper's.
   bool soft() const { return level_ > 0; }
+  bool hardening() const { return soft() && !folding_; }
   /// By what creases are stiffer now.
   double creaseFactor() const;
   void apply(CompliantRegion where, const Shell& shell, RestState& rest) const;

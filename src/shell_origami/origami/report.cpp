@@ -57,6 +57,7 @@ std::string lowerExtension(const std::string& path) {
 json makeReport(const Simulation& simulation, const RunRecord& run) {
   const Counters& counters = simulation.counters();
   const Energies energies = simulation.energies();
+  const InPlaneSet::Size set = simulation.inPlaneSet();
   const std::vector<Contact> contacts = simulation.contacts();
   json creases = json::array();
   for (const CreaseStatus& crease : simulation.creases()) creases.push_back(reportCrease(crease));
@@ -72,6 +73,7 @@ json makeReport(const Simulation& simulation, const RunRecord& run) {
           {"newton_iterations", counters.newton_iterations},
           {"factorizations", counters.factorizations},
           {"max_strain", orNull(simulation.maxStrain())},
+          {"in_plane_set", {{"mean", orNull(set.mean)}, {"worst", orNull(set.worst)}}},
           {"kinetic_energy", orNull(energies.kinetic)},
           // The energy of incompatible targets: rigid panels with creases at rest have none.
           {"strain_energy", orNull(energies.strain())},

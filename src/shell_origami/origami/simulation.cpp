@@ -86,6 +86,7 @@ Simulation::Simulation(Sheet sheet, const SimulationConfig& config, const Positi
       motion_{positions, Positions::Zero(3, positions.cols()),
               Positions::Zero(3, positions.cols())},
       rest_(config_.rest, sheet_),
+      in_plane_(sheet_),
       stepper_(config_.solver) {
   if (positions.cols() != sheet_.vertexCount() || !positions.allFinite()) {
     reject("the sheet has ", sheet_.vertexCount(), " vertices, but ", positions.cols(),
@@ -109,6 +110,7 @@ Simulation::Simulation(const Snapshot& snapshot)
       creases_(snapshot.creases),
       compliance_(snapshot.compliance),
       rest_(snapshot.rest),
+      in_plane_(snapshot.in_plane),
       held_(snapshot.held),
       stepper_(config_.solver),
       counters_(snapshot.counters),
@@ -123,8 +125,9 @@ Simulation::Simulation(const Snapshot& snapshot)
 }
 
 Snapshot Simulation::snapshot() const {
-  Snapshot snapshot{config_,          sheet_, motion_,   creases_, compliance_, rest_,    held_,
-                    stepper_.state(), {},     counters_, time_,    resting_,    left_out_};
+  Snapshot snapshot{config_,   sheet_,    motion_,  creases_,         compliance_,
+                    rest_,     in_plane_, held_,    stepper_.state(), {},
+                    counters_, time_,     resting_, left_out_};
   if (contact_) snapshot.pattern = stepper_.pattern();
   snapshot.creases.synchronize(time_);
   return snapshot;
@@ -133,6 +136,7 @@ Snapshot Simulation::snapshot() const {
 void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_before) {
   creases_.follow(remap, creases_before, sheet_.creases());
   rest_.follow(remap, sheet_);
+  in_plane_.follow(remap);
   motion_.positions = remap.apply(motion_.positions, sheet_.vertexCount());
   motion_.velocities = remap.apply(motion_.velocities, sheet_.vertexCount());
   motion_.accelerations = remap.apply(motion_.accelerations, sheet_.vertexCount());
@@ -145,6 +149,7 @@ void Simulation::topologyChanged() {
   shell_ = ShellPotential(sheet_, config_.material, config_.gravity);
   remakeContact();
   rest_.apply(shell_.shell(), shell_.rest);
+  in_plane_.apply(shell_.shell(), shell_.rest);
   updateRestState(time_);
   pinsChanged();
 }
@@ -163,12 +168,15 @@ void Simulation::updateRestState(double time) {
 }
 
 /// Moves the rest state as far as the paper's shape makes it: free creases follow, and what is bent
-/// too far yields.
+/// or stretched too far yields.
 void Simulation::giveWay(const Positions& positions) {
   creases_.relaxFreeCreases(time_, config_.solver.time_step, sheet_, shell_.shell(), positions);
   creases_.yield(time_, config_.material, shell_.shell(), positions);
   rest_.yield(config_.material, positions, shell_.shell(), shell_.rest);
   updateRestState(time_);
+  if (compliance_.hardening()) {
+    in_plane_.flow(kInPlaneYield, sheet_, positions, shell_.shell(), shell_.rest);
+  }
 }
 
 void Simulation::pinsChanged() {
@@ -298,11 +306,15 @@ std::map<std::string, Wrench> Simulation::holdingWrenches() const {
 
 double Simulation::maxStrain() const {
   double largest = 0;
-  for (const Edge& edge : sheet_.edges()) {
-    const auto [a, b] = edge.vertices;
-    const double flat = (sheet_.flatPositions()[a] - sheet_.flatPositions()[b]).norm();
-    const double now = (motion_.positions.col(a) - motion_.positions.col(b)).norm();
-    largest = std::max(largest, std::abs(now / flat - 1));
+  for (int i = 0; i < static_cast<int>(sheet_.triangles().size()); ++i) {
+    const Triangle& t = sheet_.triangles()[i];
+    for (int k = 0; k < 3; ++k) {
+      const int a = t[k], b = t[(k + 1) % 3];
+      const double rest =
+          in_plane_.length(i, sheet_.flatPositions()[b] - sheet_.flatPositions()[a]);
+      const double now = (motion_.positions.col(b) - motion_.positions.col(a)).norm();
+      largest = std::max(largest, std::abs(now / rest - 1));
+    }
   }
   return largest;
 }

@@ -109,12 +109,15 @@ class Simulation {
   /// What holds the paper, by its frame: force and torque on the vertices it holds, in the frame
   /// and about its origin. Under no name, in the world: of vertices held in place.
   std::map<std::string, Wrench> holdingWrenches() const;
-  /// Largest |edge length / flat length - 1|.
+  /// Largest |edge length / rest length - 1|: the rest length is the flat one, but where folding
+  /// has stretched the paper for good.
   double maxStrain() const;
   /// Whether a ramp is still running.
   bool folding() const;
   /// Whether the membrane is softer than the paper's, as it may be while a pattern folds.
   bool soft() const { return compliance_.soft(); }
+  /// What folding has stretched for good.
+  InPlaneSet::Size inPlaneSet() const { return in_plane_.size(sheet_); }
   /// Whether no ramp runs, the membrane is hard, and speeds (the kinetic energy) and accelerations
   /// (the residual force) are too small to see.
   bool settled() const;
@@ -160,6 +163,7 @@ class Simulation {
   CreaseActuation creases_;
   Compliance compliance_;
   RestShape rest_;
+  InPlaneSet in_plane_;
   HeldVertices held_;
   Stepper stepper_;
   Counters counters_;

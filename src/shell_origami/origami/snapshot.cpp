@@ -168,6 +168,29 @@ RestShape readRest(const Json& json, const NaturalCurvature& roll, const Sheet& 
   return RestShape(roll, sheet, std::move(set), std::move(plastic));
 }
 
+Json write(const InPlaneSet& set) {
+  Json strains = Json::array();
+  for (const GreenStrain& strain : set.strains()) {
+    for (double part : strain) strains.push_back(part);
+  }
+  return strains;
+}
+
+InPlaneSet readInPlane(const Json& json, int triangles) {
+  const auto numbers = json.get<std::vector<double>>();
+  if (numbers.size() != 3 * static_cast<std::size_t>(triangles)) reject("sets of other triangles");
+  std::vector<GreenStrain> strains;
+  for (int i = 0; i < triangles; ++i) {
+    strains.emplace_back(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+    const GreenStrain& e = strains.back();
+    // The lengths that it leaves are real.
+    if (!(e.allFinite() && e[0] > -0.5 && (1 + 2 * e[0]) * (1 + 2 * e[1]) > 4 * e[2] * e[2])) {
+      reject("a triangle is set to nothing");
+    }
+  }
+  return InPlaneSet(std::move(strains));
+}
+
 Json write(const Pose& pose) {
   return {{"position", numbers(pose.position)},
           {"orientation", numbers(pose.orientation.coeffs())}};
@@ -247,6 +270,7 @@ Snapshot read(const Json& json) {
           std::move(creases),
           readCompliance(json.at("compliance")),
           std::move(rest),
+          readInPlane(json.at("in_plane"), triangles),
           readHeld(json.at("held"), count),
           {memory.at("contraction"), memory.at("unchecked")},
           readPattern(memory.at("pattern")),
@@ -304,6 +328,7 @@ Json toJson(const Snapshot& snapshot) {
         {"level", snapshot.compliance.level()},
         {"folding", snapshot.compliance.folding()}}},
       {"rest", {{"set", snapshot.rest.set()}, {"plastic", snapshot.rest.plastic()}}},
+      {"in_plane", write(snapshot.in_plane)},
       {"held", write(snapshot.held)},
       {"memory",
        {{"contraction", snapshot.solver.contraction},

@@ -4,6 +4,7 @@
 
 #include <shell_origami/contact/crossings.h>
 #include <shell_origami/dynamics/integrator.h>
+#include <shell_origami/energy/in_plane_set.h>
 #include <shell_origami/energy/rest_shape.h>
 #include <shell_origami/origami/compliance.h>
 #include <shell_origami/origami/config.h>
@@ -35,6 +36,7 @@ struct Snapshot {
   CreaseActuation creases;
   Compliance compliance;
   RestShape rest;
+  InPlaneSet in_plane;
   HeldVertices held;
   SolverState solver;
   VertexGraph pattern;  ///< of the solver's matrix, where contact made it; otherwise of no vertices
