@@ -259,7 +259,7 @@ class BatchTest(unittest.TestCase):
                            '           {line: [[0, 0.05], [0.1, 0.05]], angle_deg: 90, name: second}]\n'
                            '  - settle: {timeout: 5}\n')
         self.assertEqual(batch.returncode, 3, batch.stderr)
-        self.assertIn('missed the target angle by more than 5 degrees', batch.stderr)
+        self.assertIn('missed the target angle by more than 2 degrees', batch.stderr)
         missed = self.report()['missed']
         self.assertGreater(len(missed), 0)
         for crease in missed:

@@ -233,5 +233,56 @@ TEST(FoldedForm, isPassedOverWhereTheFlatFormIsAskedFor) {
   expectWithin(fileRefusal(scratch(document.dump()), {0, 0}), "form: flat");
 }
 
+/// The square with a diagonal: its first face above the second.
+json ordered(int side) {
+  json document = diagonal();
+  document["faces_vertices"] = {{0, 1, 2}, {0, 2, 3}};
+  document["faceOrders"] = {{0, 1, side}};
+  return document;
+}
+
+/// The order of the two halves of the square, told by points; 0: none is stated.
+int orderOf(const Sheet& sheet) {
+  EXPECT_EQ(sheet.layerOrders().size(), 1u);
+  const LayerOrder& order = sheet.layerOrders().at(0);
+  EXPECT_GT(order.first.x(), order.first.y());
+  EXPECT_LT(order.second.x(), order.second.y());
+  return order.side;
+}
+
+TEST(FaceOrders, SurviveMeshingEditsAndFiles) {
+  for (const int side : {1, 0, -1}) {
+    for (const double max_edge : {0.0, 0.2}) {
+      FoldPaper paper = read(ordered(side), 0.1, max_edge * 0.1);
+      EXPECT_EQ(orderOf(paper.sheet), side);
+      makeFoldLine(paper.sheet, {Vector2(0, 0.03), Vector2(0.1, 0.06)}, "cut", {});
+      const Positions flat = Positions::Zero(3, paper.sheet.vertexCount());
+      const std::vector<FoldCrease> creases(paper.sheet.creases().size());
+      const json document = writeFold(paper.sheet, creases, flat, "");
+      ASSERT_EQ(document["faceOrders"].size(), 1u);
+      FoldReadOptions own;
+      own.form = FoldForm::kFlat;
+      EXPECT_EQ(orderOf(readFold(scratch(document.dump()), own).sheet), side);
+    }
+  }
+}
+
+TEST(FaceOrders, AreOfTheSecondFacesNormal) {
+  json document = ordered(1);
+  document["faces_vertices"][1] = {0, 3, 2};  // clockwise: its normal points down
+  EXPECT_EQ(orderOf(read(document, 0.1).sheet), -1);
+}
+
+TEST(FaceOrders, MayBeThoseOfTheFoldedForm) {
+  json document = ordered(1);
+  document.erase("faceOrders");
+  document["file_frames"] = json::array({{{"frame_inherit", true},
+                                          {"frame_classes", json::array({"foldedForm"})},
+                                          {"vertices_coords", {{0, 0}, {0, 1}, {1, 1}, {0, 1}}},
+                                          {"faceOrders", {{0, 1, -1}}}}});
+  document["frame_classes"] = json::array({"creasePattern"});
+  EXPECT_EQ(orderOf(read(document, 0.1).sheet), -1);
+}
+
 }  // namespace
 }  // namespace shell_origami

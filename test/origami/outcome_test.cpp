@@ -53,5 +53,28 @@ TEST(Outcome, NamesPanelsThatDoNotClose) {
   EXPECT_NE(missed[0].why.find("is open"), std::string::npos) << missed[0].why;
 }
 
+TEST(Outcome, SaysNothingOfPaperThatIsAsAskedFor) {
+  EXPECT_TRUE(shortfalls(foldedVertex({0, M_PI / 2, M_PI, 3 * M_PI / 2}, {0, 90, 0, 90})).empty());
+}
+
+TEST(Outcome, TellsBentPanelsAndStretchedPaper) {
+  Simulation simulation = foldedVertex({0, M_PI / 2, M_PI, 3 * M_PI / 2}, {0, 90, 0, 90});
+  const Sheet sheet = simulation.sheet();
+  Positions bent = simulation.positions();
+  // The panel's corner farthest from creases, up by a third of the disc's radius.
+  const int corner = sheet.nearestVertex(Vector2(0.021, 0.021));
+  bent(2, corner) += 0.01;
+  SimulationConfig config = simulation.config();
+  config.contact.enabled = false;
+  const double right = 90 * kDegree;
+  const Simulation after(sheet, config, bent, {0, right, 0, right});
+  EXPECT_NE(bentSentence(after).find("a panel is bent by"), std::string::npos);
+  EXPECT_NE(stretchedSentence(after).find("further than paper bears"), std::string::npos);
+  EXPECT_GE(shortfalls(after).size(), 2u);
+  // Where panels cannot close they must bend.
+  const Simulation open(sheet, config, bent, {right, right, right, right});
+  EXPECT_EQ(bentSentence(open), "");
+}
+
 }  // namespace
 }  // namespace shell_origami

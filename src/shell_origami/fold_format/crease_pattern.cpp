@@ -1,6 +1,7 @@
 #include <shell_origami/fold_format/crease_pattern.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/fold_format/layer_orders.h>
 #include <shell_origami/fold_format/planarize.h>
 
 #include <algorithm>
@@ -218,6 +219,7 @@ CreasePattern readPattern(const FoldDocument& document, bool keep_flat_edges) {
   } else {
     readWithFaces(edges, kinds, std::move(faces), pattern);
   }
+  pattern.orders = readLayerOrders(document, pattern);
   return pattern;
 }
 

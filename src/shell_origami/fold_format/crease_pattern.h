@@ -4,6 +4,7 @@
 
 #include <shell_origami/fold_format/fold_document.h>
 #include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/sheet/sheet.h>
 
 #include <map>
 #include <optional>
@@ -52,6 +53,7 @@ struct CreasePattern {
   std::vector<PatternEdge> edges;       ///< each once
   std::vector<std::vector<int>> faces;  ///< counter-clockwise; empty where the file has none
   std::vector<NotedCrease> noted;
+  std::vector<LayerOrder> orders;
   std::vector<std::string> places;  ///< of each line in a drawing; empty: of a FOLD file
   std::vector<std::string> notes;   ///< a sentence for each thing that was changed to read it
 

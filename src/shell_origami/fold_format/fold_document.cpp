@@ -214,6 +214,28 @@ std::vector<std::vector<int>> FoldDocument::faces(int frame, int vertex_count) c
   return faces;
 }
 
+std::vector<std::array<int, 3>> FoldDocument::faceOrders(int frame, std::size_t face_count) const {
+  std::vector<std::array<int, 3>> orders;
+  const json* list = findArray(frame, "faceOrders");
+  if (!list) return orders;
+  const auto isInteger = [](const json& value, std::int64_t least, std::int64_t end) {
+    if (!value.is_number_integer()) return false;
+    const bool huge = value.is_number_unsigned() &&
+                      value.get<std::uint64_t>() > std::numeric_limits<std::int32_t>::max();
+    return !huge && value.get<std::int64_t>() >= least && value.get<std::int64_t>() < end;
+  };
+  const auto faces = static_cast<std::int64_t>(face_count);
+  for (const json& item : *list) {
+    if (!item.is_array() || item.size() != 3 || !isInteger(item[0], 0, faces) ||
+        !isInteger(item[1], 0, faces) || !isInteger(item[2], -1, 2)) {
+      reject(place("faceOrders", orders.size()), " is ", describeJson(item), ", not two of ",
+             face_count, " faces and -1, 0 or 1");
+    }
+    orders.push_back(item.get<std::array<int, 3>>());
+  }
+  return orders;
+}
+
 std::vector<NotedCrease> FoldDocument::notedCreases(int frame, int vertex_count) const {
   std::vector<NotedCrease> creases;
   const json* list = findArray(frame, "shell_origami:creases");

@@ -50,6 +50,8 @@ class FoldDocument {
   /// [rad], NaN for null; empty where the file has none.
   std::vector<double> foldAngles(int frame, std::size_t edge_count) const;
   std::vector<std::vector<int>> faces(int frame, int vertex_count) const;
+  /// Two faces and -1, 0 or 1 each.
+  std::vector<std::array<int, 3>> faceOrders(int frame, std::size_t face_count) const;
   std::vector<NotedCrease> notedCreases(int frame, int vertex_count) const;
 
  private:

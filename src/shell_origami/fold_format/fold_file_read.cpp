@@ -72,6 +72,10 @@ double rescale(const std::string& unit, const FoldReadOptions& options, CreasePa
   dropUnused(pattern, true);
   const double metres = metresPerUnit(unit, pattern, options);
   for (Vector2& p : pattern.points) p *= metres;
+  for (LayerOrder& order : pattern.orders) {
+    order.first *= metres;
+    order.second *= metres;
+  }
   return metres;
 }
 
@@ -80,6 +84,7 @@ FoldPaper readDocument(const FoldDocument& document, const FoldReadOptions& opti
   const double metres = rescale(document.unit(pattern.frame), options, pattern);
   const PatternSheet made = makeSheet(pattern, maxEdge(document, pattern, options.max_edge));
   FoldPaper paper{made.sheet, {}, {}, pattern.notes};
+  paper.sheet.setLayerOrders(pattern.orders);
   if (options.form == FoldForm::kFolded) readFoldedForm(document, pattern, metres, made, paper);
   return paper;
 }

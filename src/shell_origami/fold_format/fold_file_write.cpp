@@ -1,4 +1,5 @@
 #include <shell_origami/fold_format/fold_file.h>
+#include <shell_origami/fold_format/layer_orders.h>
 
 #include <cmath>
 #include <sstream>
@@ -104,6 +105,7 @@ json writeFold(const Sheet& sheet, const std::vector<FoldCrease>& creases,
   for (const Vector2& p : sheet.flatPositions()) coordinates.push_back({p.x(), p.y()});
   document["vertices_coords"] = std::move(coordinates);
   writeMesh(sheet, document);
+  if (!sheet.layerOrders().empty()) document["faceOrders"] = layerOrdersOf(sheet);
   const std::vector<double> angles = patternAngles(sheet, creases), now = anglesNow(creases);
   writeFoldAngles(sheet, angles, document);
   document["shell_origami:creases"] = noteCreases(sheet, creases);

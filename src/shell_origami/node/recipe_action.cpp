@@ -106,7 +106,11 @@ msg::FoldRecipeResult RecipeAction::result() {
   msg::FoldRecipeResult result;
   result.max_strain = simulation.maxStrain();
   result.creases = creaseStates(simulation);
-  result.missed = asMessageText(missedSentence(missedCreases(simulation)));
+  std::string text;
+  for (const std::string& sentence : shortfalls(simulation)) {
+    text += (text.empty() ? "" : "; ") + sentence;
+  }
+  result.missed = asMessageText(text);
   return result;
 }
 

@@ -71,8 +71,9 @@ void RecipeRun::finish(const Simulation& simulation) const {
   const double wall_time = (ros::SteadyTime::now() - start_).toSec();
   ROS_INFO("%s: done after %.2f s of simulation, %.2f s elapsed", recipe().name.c_str(),
            simulation.time() - start_time_, wall_time);
-  const std::string missed = missedSentence(missedCreases(simulation));
-  if (!missed.empty()) ROS_WARN("%s: %s", recipe().name.c_str(), missed.c_str());
+  for (const std::string& sentence : shortfalls(simulation)) {
+    ROS_WARN("%s: %s", recipe().name.c_str(), sentence.c_str());
+  }
   if (output_.empty()) return;
   writeResults(simulation, {recipe().name, wall_time, "", runner_.place().timeouts}, output_);
   ROS_INFO("%s: results are in %s", recipe().name.c_str(), output_.c_str());

@@ -114,18 +114,111 @@ std::string missedSentence(const std::vector<MissedCrease>& missed) {
   return text.str();
 }
 
+namespace {
+
+/// Whether rigid panels close around every vertex with the folds' targets.
+bool panelsClose(const Sheet& sheet, const Targets& targets) {
+  const std::vector<int> inner = innerCreaseVertices(sheet);
+  return !inner.empty() && std::all_of(inner.begin(), inner.end(), [&](int v) {
+    // Not of a free crease, whose angle is NaN.
+    return closingError(sheet, v, targets.asked) < kClosingTolerance;
+  });
+}
+
+/// The panel of each triangle: triangles are of one where no crease parts them.
+std::vector<int> panelsOf(const Sheet& sheet) {
+  std::vector<std::vector<int>> neighbors(sheet.triangles().size());
+  for (const Edge& edge : sheet.edges()) {
+    if (edge.onBorder() || edge.crease >= 0) continue;
+    neighbors[edge.triangles[0]].push_back(edge.triangles[1]);
+    neighbors[edge.triangles[1]].push_back(edge.triangles[0]);
+  }
+  std::vector<int> panels(sheet.triangles().size(), -1), next;
+  for (std::size_t seed = 0; seed < panels.size(); ++seed) {
+    if (panels[seed] >= 0) continue;
+    const int panel = static_cast<int>(seed);
+    panels[seed] = panel;
+    next.assign(1, panel);
+    while (!next.empty()) {
+      const int triangle = next.back();
+      next.pop_back();
+      for (int neighbor : neighbors[triangle]) {
+        if (panels[neighbor] >= 0) continue;
+        panels[neighbor] = panel;
+        next.push_back(neighbor);
+      }
+    }
+  }
+  return panels;
+}
+
+Vector2 centerOf(const Sheet& sheet, std::size_t triangle) {
+  const auto& [a, b, c] = sheet.triangles()[triangle];
+  const auto& flat = sheet.flatPositions();
+  return (flat[a] + flat[b] + flat[c]) / 3;
+}
+
+}  // namespace
+
+std::string bentSentence(const Simulation& simulation) {
+  const Sheet& sheet = simulation.sheet();
+  if (!panelsClose(sheet, Targets(simulation.creases()))) return "";
+  const std::vector<int> panels = panelsOf(sheet);
+  std::vector<Vector3> normals;  // twice the area long
+  std::map<int, Vector3> means;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const auto& [a, b, c] = sheet.triangles()[i];
+    const Positions& x = simulation.positions();
+    normals.push_back((x.col(b) - x.col(a)).cross(x.col(c) - x.col(a)));
+    means.emplace(panels[i], Vector3::Zero()).first->second += normals.back();
+  }
+  double most = 0;
+  std::size_t where = 0;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Vector3& mean = means.at(panels[i]);
+    const double bend = std::atan2(normals[i].cross(mean).norm(), normals[i].dot(mean));
+    if (bend > most) {
+      most = bend;
+      where = i;
+    }
+  }
+  if (most <= kBentBy) return "";
+  const Vector2 place = centerOf(sheet, where);
+  std::ostringstream text;
+  text.precision(4);
+  text << "a panel is bent by " << inDegrees(most) << " degrees at (" << place.x() << ", "
+       << place.y() << ") of the flat sheet, although its creases' targets leave panels flat";
+  return text.str();
+}
+
+std::string stretchedSentence(const Simulation& simulation) {
+  const double strain = simulation.maxStrain();
+  if (strain <= kBearableStrain) return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << "the paper is stretched by " << 100 * strain << " %, further than paper bears ("
+       << 100 * kBearableStrain << " %)";
+  return text.str();
+}
+
 std::string crossingSentence(const Simulation& simulation) {
   const std::vector<TrianglePair> crossing = simulation.crossings();
   if (crossing.empty()) return "";
   const Sheet& sheet = simulation.sheet();
-  const Triangle& t = sheet.triangles()[crossing.front()[0]];
-  const auto& flat = sheet.flatPositions();
-  const Vector2 place = (flat[t[0]] + flat[t[1]] + flat[t[2]]) / 3;
+  const Vector2 place = centerOf(sheet, crossing.front()[0]);
   std::ostringstream text;
   text << "paper passes through itself: " << crossing.size()
        << " pairs of triangles, one of them at (" << place.x() << ", " << place.y()
        << ") of the flat sheet";
   return text.str();
+}
+
+std::vector<std::string> shortfalls(const Simulation& simulation) {
+  std::vector<std::string> sentences{missedSentence(missedCreases(simulation)),
+                                     bentSentence(simulation), stretchedSentence(simulation),
+                                     crossingSentence(simulation)};
+  sentences.erase(std::remove(sentences.begin(), sentences.end(), ""), sentences.end());
+  return sentences;
 }
 
 }  // namespace shell_origami

@@ -11,7 +11,7 @@
 namespace shell_origami {
 
 /// A crease whose mean angle is farther than this from its target has missed it [rad].
-constexpr double kMissedBy = 5 * M_PI / 180;
+constexpr double kMissedBy = 2 * M_PI / 180;
 
 struct MissedCrease {
   std::uint32_t id = 0;
@@ -28,7 +28,21 @@ std::vector<MissedCrease> missedCreases(const Simulation& simulation);
 /// One sentence: how many creases missed their targets, and which one by most. Empty: none.
 std::string missedSentence(const std::vector<MissedCrease>& missed);
 
+/// Panels whose creases are at angles at which rigid panels close are meant to stay flat. One that
+/// has a part farther than this from its mean normal is bent [rad].
+constexpr double kBentBy = 10 * M_PI / 180;
+
+/// One sentence: which panel is bent most of those that are meant to stay flat. Empty: none is.
+std::string bentSentence(const Simulation& simulation);
+
+/// One sentence: paper is stretched further than paper bears. Empty: it is not.
+std::string stretchedSentence(const Simulation& simulation);
+
 /// One sentence: how much of the paper passes through itself, and where. Empty: nothing.
 std::string crossingSentence(const Simulation& simulation);
+
+/// All that the paper, once it has settled, is not as it was asked for: the sentences above that
+/// are not empty.
+std::vector<std::string> shortfalls(const Simulation& simulation);
 
 }  // namespace shell_origami

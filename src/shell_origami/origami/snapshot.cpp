@@ -94,9 +94,15 @@ Json write(const Sheet& sheet) {
                        {"vertices", crease.vertices},
                        {"pattern_angle", crease.pattern_angle}});
   }
+  Json orders = Json::array();
+  for (const LayerOrder& order : sheet.layerOrders()) {
+    orders.push_back({order.first.x(), order.first.y(), order.second.x(), order.second.y(),
+                      static_cast<double>(order.side)});
+  }
   return {{"points", points},
           {"triangles", sheet.triangles()},
           {"creases", creases},
+          {"layer_orders", orders},
           {"revision", sheet.revision()},
           {"next_crease_id", sheet.nextCreaseId()}};
 }
@@ -105,6 +111,20 @@ void checkIds(const std::vector<int>& vertices, std::size_t count) {
   for (int v : vertices) {
     if (v < 0 || v >= static_cast<int>(count)) reject("there is no vertex ", v);
   }
+}
+
+std::vector<LayerOrder> readOrders(const Json& json, const Sheet& sheet) {
+  std::vector<LayerOrder> orders;
+  for (const Json& entry : json) {
+    const auto n = entry.get<std::array<double, 5>>();
+    const LayerOrder order{{n[0], n[1]}, {n[2], n[3]}, static_cast<int>(n[4])};
+    for (const Vector2& p : {order.first, order.second}) {
+      if (!sheet.triangulation().locate(p, 0)) reject("an order of layers off the paper");
+    }
+    if (order.side != n[4] || std::abs(order.side) > 1) reject("an order of layers to no side");
+    orders.push_back(order);
+  }
+  return orders;
 }
 
 Sheet readSheet(const Json& json) {
@@ -126,6 +146,7 @@ Sheet readSheet(const Json& json) {
   Sheet sheet(Triangulation(std::move(points), json.at("triangles").get<std::vector<Triangle>>()),
               std::move(creases));
   sheet.restore(json.at("revision"), json.at("next_crease_id"));
+  sheet.setLayerOrders(readOrders(json.at("layer_orders"), sheet));
   return sheet;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
@@ -19,6 +20,13 @@ struct Crease {
   std::vector<int> vertices;  ///< the polyline in order, at least two vertices
   /// Fold angle in the pattern that the sheet was loaded from [rad], valley > 0; NaN: none.
   double pattern_angle = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Which of two places on the flat sheet lies above the other one where the paper is folded flat,
+/// as the file says that it was loaded from.
+struct LayerOrder {
+  Vector2 first, second;  ///< [m]
+  int side;  ///< 1: the first is on the front side of the second; -1: behind; 0: unknown
 };
 
 /// Throws std::invalid_argument if a crease may not have the name: it is empty, longer than 100
@@ -61,6 +69,9 @@ class Sheet {
   const std::vector<Edge>& edges() const { return edges_; }
   const std::vector<Crease>& creases() const { return creases_; }
   const Triangulation& triangulation() const { return triangulation_; }
+  /// Kept for life, and not used by folding.
+  const std::vector<LayerOrder>& layerOrders() const { return layer_orders_; }
+  void setLayerOrders(std::vector<LayerOrder> orders) { layer_orders_ = std::move(orders); }
   /// Grows by one with every edit.
   std::uint32_t revision() const { return revision_; }
   std::uint32_t nextCreaseId() const { return next_crease_id_; }
@@ -89,6 +100,7 @@ class Sheet {
 
   Triangulation triangulation_;
   std::vector<Crease> creases_;
+  std::vector<LayerOrder> layer_orders_;
   std::vector<Edge> edges_;
   std::vector<std::array<int, 3>> edge_of_side_;
   std::uint32_t revision_ = 0;

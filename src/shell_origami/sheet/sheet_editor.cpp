@@ -352,6 +352,7 @@ FoldLine SheetEditor::commit(Sheet& sheet, const std::vector<std::vector<int>>& 
   result.remap = traceEdit(sheet, edited, mesh_.snap());
   result.remap.born = std::move(born);
   edited.restore(sheet.revision() + 1, std::max(edited.nextCreaseId(), sheet.nextCreaseId()));
+  edited.setLayerOrders(sheet.layerOrders());
   // Of a crease the line is a whole part or nothing, so that the creases on it, laid end to end,
   // are the line's vertices, those that improving added among them.
   const Triangulation& mesh = edited.triangulation();

@@ -33,9 +33,11 @@ constexpr const char* kUsage =
     "Exit codes: 0 the recipe was folded to its end; 1 nothing was written, for example because "
     "an\n"
     "argument or the recipe is invalid; 2 folding ended early, and the files show the paper as it\n"
-    "was then, with the reason in report.json; 3 it was folded to its end, but creases missed "
-    "their\n"
-    "target angles, as report.json lists under missed.\n";
+    "was then, with the reason in report.json; 3 it was folded to its end, but is not as it was "
+    "asked\n"
+    "for: creases missed their target angles, as report.json lists under missed, panels are bent, "
+    "or\n"
+    "paper is stretched or passes through itself.\n";
 
 constexpr int kNothingWritten = 1, kEndedEarly = 2, kMissed = 3;
 
@@ -182,14 +184,14 @@ int fold(const Options& options) {
   const std::string folder = expandedPath(options.out);
   writeResults(simulation, {name, wall.count(), failure, runner.place().timeouts}, folder,
                {frames.file(simulation, name)});
+  if (failure.empty()) {
+    const std::vector<std::string> sentences = shortfalls(simulation);
+    for (const std::string& sentence : sentences)
+      std::cerr << "origami_batch: " << sentence << "\n";
+    return sentences.empty() ? 0 : kMissed;
+  }
   const std::string crossing = crossingSentence(simulation);
   if (!crossing.empty()) std::cerr << "origami_batch: " << crossing << "\n";
-  if (failure.empty()) {
-    const std::string missed = missedSentence(missedCreases(simulation));
-    if (missed.empty()) return 0;
-    std::cerr << "origami_batch: " << missed << "\n";
-    return kMissed;
-  }
   std::cerr << "origami_batch: ended early, in step " << runner.place().step + 1 << " of "
             << runner.recipe().steps.size() << " at " << simulation.time() << " s: " << failure
             << "\nThe paper as it was then is in " << folder << "\n";
