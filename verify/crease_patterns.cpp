@@ -28,7 +28,9 @@ Recipe recipeOf(const std::string& path, double compliance) {
   factor << compliance;
   SheetSource sheet;
   sheet.width = kPatternWidth;
-  return loadRecipe(path, {}, sheet, {{"steps", steps.str()}, {"compliance/factor", factor.str()}});
+  return loadRecipe(
+      path, {}, sheet,
+      {{"steps", steps.str()}, {"compliance/factor", factor.str()}, {"contact/enabled", "false"}});
 }
 
 double distance(const Positions& shape, const Positions& target) {
