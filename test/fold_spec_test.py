@@ -291,7 +291,7 @@ class BatchTest(unittest.TestCase):
     def test_a_settle_step_that_times_out_is_reported(self):
         run = self.batch('sheet: {size: [0.1, 0.1], max_edge: 0.05}\n'
                          'steps:\n'
-                         '  - fold: [{line: [[0, 0.05], [0.1, 0.05]], angle_deg: 20}]\n'
+                         '  - fold: [{line: [[0, 0.05], [0.1, 0.05]], angle_deg: 10}]\n'
                          '    duration: 0\n'
                          '  - settle: {timeout: 0.02}\n')
         self.assertEqual(run.returncode, 0, run.stderr)

@@ -1,3 +1,4 @@
+#include <shell_origami/mesh/triangulate.h>
 #include <shell_origami/origami/compliance.h>
 #include <shell_origami/origami/recipe.h>
 #include <shell_origami/origami/snapshot.h>
@@ -95,8 +96,7 @@ TEST(Compliance, FoldsThePatternOfACraneThatTruePaperCrumples) {
   stepUntilSettled(crane);
   EXPECT_LT(worstMiss(crane), 2 * kDegree);
   EXPECT_LT(crane.maxStrain(), 1e-4);
-  EXPECT_LT(crane.inPlaneSet().worst, kInPlaneYield)
-      << "its panels close, hardly anything need give";
+  EXPECT_EQ(crane.inPlaneSet().worst, 0) << "no layers ask for room";
   std::vector<double> angles;
   for (const Crease& crease : crane.sheet().creases()) angles.push_back(crease.pattern_angle);
   for (int v : innerCreaseVertices(crane.sheet())) {
@@ -128,16 +128,38 @@ TEST(Compliance, SoftPaperHasNotSettled) {
   EXPECT_EQ(crane.positions(), again.positions());
 }
 
-/// The fish base closes at 180 degrees only. At 178 its panels must stretch or bend.
-Simulation fishBase() {
-  Simulation paper = pattern("50_ff-030_tanakaoripa_fish_base.fold");
-  paper.fold(foldAll(178.0 / 180));
+/// A sheet folded in half twice, the second time through both layers, in soft paper.
+Simulation foldedTwice() {
+  SimulationConfig config;
+  config.compliance.factor = 1000;
+  config.material.crease_stiffness = 0.1;
+  const double side = 0.15, middle = side / 2;
+  Simulation paper(Sheet(triangulateRectangle(side, side, 0.02)), config);
+  const auto fold = [&](const Vector2& from, const Vector2& to, double degrees, double duration) {
+    FoldEdit edit;
+    edit.where = Segment{from, to};
+    edit.angle = degrees * kDegree;
+    edit.duration = duration;
+    paper.fold(edit);
+  };
+  const auto foldAcross = [&](double degrees, double duration) {
+    fold({0, middle}, {middle, middle}, degrees, duration);
+    fold({middle, middle}, {side, middle}, -degrees, duration);
+  };
+  fold({middle, 0}, {middle, side}, 0, 0);
+  foldAcross(0, 0);
+  fold({middle, 0}, {middle, side}, 178, 0.5);
+  stepUntilSettled(paper);
+  foldAcross(178, 0.5);
+  paper.step();
   stepUntilSettled(paper);
   return paper;
 }
 
-TEST(Compliance, KeepsTheStretchThatThePanelsNeed) {
-  const Simulation paper = fishBase();
+TEST(Compliance, KeepsTheStretchThatLayersNeed) {
+  const Simulation paper = foldedTwice();
+  EXPECT_TRUE(paper.crossings().empty());
+  EXPECT_LT(worstMiss(paper), 15 * kDegree);
   EXPECT_GT(paper.inPlaneSet().worst, 1e-3);
   EXPECT_LT(paper.inPlaneSet().mean, 1e-3) << "what is needed and no more";
   // The stress that it bears, of the paper as it is set; hardening adds some in its last step.
@@ -145,7 +167,7 @@ TEST(Compliance, KeepsTheStretchThatThePanelsNeed) {
 }
 
 TEST(Compliance, WhatPaperKeepsSurvivesSnapshotsAndEdits) {
-  Simulation paper = fishBase();
+  Simulation paper = foldedTwice();
   Simulation again(snapshotFrom(toJson(paper.snapshot())));
   const InPlaneSet::Size before = paper.inPlaneSet();
   EXPECT_EQ(again.inPlaneSet().worst, before.worst);

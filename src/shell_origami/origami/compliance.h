@@ -35,7 +35,7 @@ double complianceOf(const ComplianceConfig& config, const Sheet& sheet,
                     const std::vector<FoldRamp>& ramps, double time);
 
 /// Elastic strain (InPlaneSet::flow) whose stress hardening paper bears, and beyond which it yields
-/// in its plane. Below it lie the strains of patterns that fold flat without set.
+/// in its plane where layers may touch. Below it lie the strains of patterns whose panels close.
 constexpr double kInPlaneYield = 1e-4;
 
 /// The softness of the membrane over time. It softens within kSofteningTime as folds start, and

@@ -174,7 +174,7 @@ void Simulation::giveWay(const Positions& positions) {
   creases_.yield(time_, config_.material, shell_.shell(), positions);
   rest_.yield(config_.material, positions, shell_.shell(), shell_.rest);
   updateRestState(time_);
-  if (compliance_.hardening()) {
+  if (compliance_.hardening() && contactOn()) {
     in_plane_.flow(kInPlaneYield, sheet_, positions, shell_.shell(), shell_.rest);
   }
 }
