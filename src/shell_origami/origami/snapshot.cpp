@@ -192,7 +192,7 @@ RestShape readRest(const Json& json, const NaturalCurvature& roll, const Sheet& 
 Json write(const InPlaneSet& set) {
   Json strains = Json::array();
   for (const GreenStrain& strain : set.strains()) {
-    for (double part : strain) strains.push_back(part);
+    for (int k = 0; k < 3; ++k) strains.push_back(strain[k]);
   }
   return strains;
 }
