@@ -80,7 +80,7 @@ void Diagnostics::paper(Status& status) {
   const bool overstretched = strain > kBearableStrain && !simulation.soft();
   warnOfStrain(strain, overstretched);
   const bool settled = simulation.settled();
-  const std::vector<MissedCrease> missed = missedCreases(simulation);
+  const std::string shortfalls = settled ? shortfallText(simulation) : "";
   if (overstretched) {
     status.summaryf(DiagnosticStatus::WARN, "stretched by %.1f %%, further than paper bears",
                     100 * strain);
@@ -88,8 +88,8 @@ void Diagnostics::paper(Status& status) {
     status.summaryf(DiagnosticStatus::WARN,
                     "frame %s is held up: vertex %d meets the paper at vertex %d",
                     blocked->frame.c_str(), blocked->vertex, blocked->by);
-  } else if (settled && !missed.empty()) {
-    status.summary(DiagnosticStatus::WARN, missedSentence(missed));
+  } else if (!shortfalls.empty()) {
+    status.summary(DiagnosticStatus::WARN, shortfalls);
   } else {
     status.summary(DiagnosticStatus::OK, settled ? "settled" : "moving");
   }
@@ -97,7 +97,7 @@ void Diagnostics::paper(Status& status) {
   status.add("vertices", simulation.sheet().vertexCount());
   status.add("max_strain", strain);
   status.add("settled", settled);
-  status.add("missed", missed.size());
+  status.add("missed", missedCreases(simulation).size());
   status.add("strain_energy", energies.strain());
   status.add("kinetic_energy", energies.kinetic);
   status.add("contacts", simulation.contacts().size());

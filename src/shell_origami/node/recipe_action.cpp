@@ -106,11 +106,7 @@ msg::FoldRecipeResult RecipeAction::result() {
   msg::FoldRecipeResult result;
   result.max_strain = simulation.maxStrain();
   result.creases = creaseStates(simulation);
-  std::string text;
-  for (const std::string& sentence : shortfalls(simulation)) {
-    text += (text.empty() ? "" : "; ") + sentence;
-  }
-  result.missed = asMessageText(text);
+  result.missed = asMessageText(shortfallText(simulation));
   return result;
 }
 

@@ -221,4 +221,12 @@ std::vector<std::string> shortfalls(const Simulation& simulation) {
   return sentences;
 }
 
+std::string shortfallText(const Simulation& simulation) {
+  std::string text;
+  for (const std::string& sentence : shortfalls(simulation)) {
+    text += (text.empty() ? "" : "; ") + sentence;
+  }
+  return text;
+}
+
 }  // namespace shell_origami

@@ -45,4 +45,7 @@ std::string crossingSentence(const Simulation& simulation);
 /// are not empty.
 std::vector<std::string> shortfalls(const Simulation& simulation);
 
+/// The same in one text.
+std::string shortfallText(const Simulation& simulation);
+
 }  // namespace shell_origami
