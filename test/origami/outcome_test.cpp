@@ -59,7 +59,7 @@ TEST(Outcome, SaysNothingOfPaperThatIsAsAskedFor) {
 
 TEST(Outcome, TellsBentPanelsAndStretchedPaper) {
   Simulation simulation = foldedVertex({0, M_PI / 2, M_PI, 3 * M_PI / 2}, {0, 90, 0, 90});
-  const Sheet sheet = simulation.sheet();
+  const Sheet& sheet = simulation.sheet();
   Positions bent = simulation.positions();
   // The panel's corner farthest from creases, up by a third of the disc's radius.
   const int corner = sheet.nearestVertex(Vector2(0.021, 0.021));
