@@ -18,7 +18,10 @@ namespace {
 
 constexpr double kPart = 178.0 / 180;    ///< of the angles that a pattern asks for
 constexpr double kRightDistance = 0.02;  ///< [widths]
-constexpr double kTimeout = 5;           ///< to settle [s]
+/// Around a vertex that closes at 180 degrees only, panels are open by up to some 4 degrees where
+/// creases fold to 178: creases off by less than this are no failure of folding.
+constexpr double kRightAngle = 5 * M_PI / 180;
+constexpr double kTimeout = 5;  ///< to settle [s]
 
 Recipe recipeOf(const std::string& path, double compliance) {
   std::ostringstream steps, factor;
@@ -62,7 +65,7 @@ std::optional<Positions> rigidState(const Sheet& sheet) {
   return foldRigidly(sheet, angles);
 }
 
-bool PatternOutcome::isOff() const { return distance > kRightDistance || worst > kMissedBy; }
+bool PatternOutcome::isOff() const { return distance > kRightDistance || worst > kRightAngle; }
 
 PatternOutcome foldPattern(const std::string& path, double compliance) {
   RecipeRunner runner(recipeOf(path, compliance));

@@ -26,7 +26,7 @@ struct PatternOutcome {
   double distance = 0;
   std::string said;  ///< what the library says is amiss; empty: nothing
 
-  /// Whether it is off by more than 2 % of the width, or a crease by more than is told.
+  /// Whether it is off by more than 2 % of the width, or a crease by more than 5 degrees.
   bool isOff() const;
 };
 
