@@ -35,10 +35,10 @@ constexpr const char* kHead = R"(# Crease patterns, folded
 
 Written by `scripts/patterns`. Each pattern of `test/data/patterns` is 0.15 m wide, its triangles' edges are
 at most 0.015 m long, and all creases fold at once in 1 s to the angles that it asks for, 180 degrees taken
-as 178; then it settles. Layers may pass through each other (`contact/enabled: false`). CPU seconds are for a simulated second, beside
-those of paper that does not give way (`compliance/factor` 1); strain is the largest at the end; crease
-errors are in degrees; the distance from the exact state of rigid panels is a root mean square, in widths, and
-`none` where these panels do not close.
+as 178; then it settles. Layers may pass through each other (`contact/enabled: false`). CPU seconds are for
+a simulated second, beside those of paper that does not give way (`compliance/factor` 1); strain is the
+largest at the end; crease errors are in degrees; the distance from the exact state of rigid panels is a
+root mean square, in widths, and `none` where these panels do not close.
 
 | pattern | triangles | CPU | CPU, true paper | strain | worst crease | median crease | distance | said |
 | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |

@@ -36,6 +36,7 @@ Candidates::Candidates(const CollisionMesh& mesh, const BoundingTree& tree, cons
       places_(turn_.lazyProduct(from)),
       ways_(turn_.lazyProduct(to) - places_) {
   std::vector<MovingBox> faces;
+  faces.reserve(mesh.faces().size());
   for (const CollisionMesh::Face& face : mesh.faces()) faces.push_back(boxOf(face.vertices));
   tree.forEachPair(
       faces, [this](const MovingBox& a, const MovingBox& b) { return meet(a, b); },

@@ -311,7 +311,7 @@ bool ContactPotential::anticipate(const Positions& x, Iterate& at, const Positio
   const std::size_t before = own.impacts.size();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const ContactPair& pair = pairs[i];
-    // What pushes already does without a spring.
+    // Within its reach a pair pushes by itself and needs no spring.
     if (own.gaps[i] < pair.reach) continue;
     if (own.gaps[i] - approach(pair, x, to) >= kNear * pair.reach) continue;
     const double part = freePart(pair, x, to);

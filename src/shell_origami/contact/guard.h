@@ -10,11 +10,11 @@
 
 namespace shell_origami {
 
-/// What a pair keeps of its distance in a motion that isFree() accepts.
+/// The distance that a pair must keep for isFree() to accept a motion.
 inline KeptDistance accepted(const ContactPair& pair) { return {0.1, pair.reach / 2, kClosestGap}; }
 
-/// What it keeps in one that freePart() offers: more, so that what is offered is accepted in spite
-/// of rounding.
+/// The distance that it keeps in the part of a motion that freePart() returns. It is larger, so
+/// that isFree() accepts that part in spite of rounding.
 inline KeptDistance offered(const ContactPair& pair) {
   return {0.2, pair.reach, 1.1 * kClosestGap};
 }

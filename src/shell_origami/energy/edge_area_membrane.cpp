@@ -81,8 +81,7 @@ MembraneStrain EdgeAreaMembrane::strainAfter(const TrianglePoints& x,
 }
 
 MembraneStrain EdgeAreaMembrane::strainOf(const GreenStrain& green) const {
-  Eigen::Matrix2d metric;
-  metric << 1 + 2 * green[0], 2 * green[2], 2 * green[2], 1 + 2 * green[1];
+  const Eigen::Matrix2d metric = metricOf(green);
   MembraneStrain strain;
   for (int k = 0; k < 3; ++k) {
     strain[k] = std::sqrt(edges_[k].dot(metric * edges_[k])) / lengths_[k] - 1;

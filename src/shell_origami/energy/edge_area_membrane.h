@@ -26,7 +26,7 @@ class EdgeAreaMembrane {
   MembraneStrain strain(const TrianglePoints& x) const;
   /// The same after a displacement, to first order in it.
   MembraneStrain strainAfter(const TrianglePoints& x, const TrianglePoints& displacement) const;
-  /// What strain() is of a triangle with this Green strain.
+  /// Returns the strain() of a triangle that has this Green strain.
   MembraneStrain strainOf(const GreenStrain& green) const;
   /// Area in space over flat area.
   double areaRatio(const TrianglePoints& x) const;

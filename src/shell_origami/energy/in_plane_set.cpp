@@ -18,19 +18,18 @@ double largestStretch(const GreenStrain& e) {
   return std::max(long_way, short_way);
 }
 
-}  // namespace
-
-GreenStrain greenStrain(const Sheet& sheet, int triangle, const Positions& positions) {
+GreenStrain strainOf(const Sheet& sheet, int triangle, const Positions& positions) {
   const Triangle& t = sheet.triangles()[triangle];
   const auto& flat = sheet.flatPositions();
   Eigen::Matrix2d before;
   before << flat[t[1]] - flat[t[0]], flat[t[2]] - flat[t[0]];
   Eigen::Matrix<double, 3, 2> after;
   after << positions.col(t[1]) - positions.col(t[0]), positions.col(t[2]) - positions.col(t[0]);
-  const Eigen::Matrix<double, 3, 2> f = after * before.inverse();
-  const Eigen::Matrix2d e = (f.transpose() * f - Eigen::Matrix2d::Identity()) / 2;
+  const Eigen::Matrix2d e = greenStrain(after * before.inverse());
   return {e(0, 0), e(1, 1), e(0, 1)};
 }
+
+}  // namespace
 
 void InPlaneSet::apply(const Shell& shell, RestState& rest) const {
   for (std::size_t i = 0; i < strains_.size(); ++i) {
@@ -48,7 +47,7 @@ void InPlaneSet::flow(double yield, const Sheet& sheet, const Positions& positio
                       const Shell& shell, RestState& rest) {
   for (std::size_t i = 0; i < strains_.size(); ++i) {
     const int triangle = static_cast<int>(i);
-    const GreenStrain elastic = greenStrain(sheet, triangle, positions) - strains_[i];
+    const GreenStrain elastic = strainOf(sheet, triangle, positions) - strains_[i];
     const double stress = rest.membrane[i] * norm(elastic);
     if (stress <= yield) continue;
     strains_[i] += (1 - yield / stress) * elastic;
@@ -57,10 +56,7 @@ void InPlaneSet::flow(double yield, const Sheet& sheet, const Positions& positio
 }
 
 double InPlaneSet::length(int triangle, const Vector2& flat) const {
-  const GreenStrain& e = strains_[triangle];
-  Eigen::Matrix2d metric;
-  metric << 1 + 2 * e[0], 2 * e[2], 2 * e[2], 1 + 2 * e[1];
-  return std::sqrt(flat.dot(metric * flat));
+  return std::sqrt(flat.dot(metricOf(strains_[triangle]) * flat));
 }
 
 InPlaneSet::Size InPlaneSet::size(const Sheet& sheet) const {

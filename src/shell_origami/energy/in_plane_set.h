@@ -45,7 +45,4 @@ class InPlaneSet {
   std::vector<GreenStrain> strains_;
 };
 
-/// Returns the Green strain of a triangle of the sheet.
-GreenStrain greenStrain(const Sheet& sheet, int triangle, const Positions& positions);
-
 }  // namespace shell_origami

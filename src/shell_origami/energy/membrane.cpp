@@ -17,10 +17,6 @@ Eigen::Matrix2d clampToTension(const Eigen::Matrix2d& s) {
   return (mean + radius) / (2 * radius) * (s - (mean - radius) * Eigen::Matrix2d::Identity());
 }
 
-Eigen::Matrix2d greenStrain(const Eigen::Matrix<double, 3, 2>& f) {
-  return (f.transpose() * f - Eigen::Matrix2d::Identity()) / 2;
-}
-
 Eigen::Matrix2d matrixOf(const MembraneStrain& strain) {
   Eigen::Matrix2d e;
   e << strain[0], strain[2], strain[2], strain[1];
@@ -28,6 +24,16 @@ Eigen::Matrix2d matrixOf(const MembraneStrain& strain) {
 }
 
 }  // namespace
+
+Eigen::Matrix2d greenStrain(const Eigen::Matrix<double, 3, 2>& f) {
+  return (f.transpose() * f - Eigen::Matrix2d::Identity()) / 2;
+}
+
+Eigen::Matrix2d metricOf(const GreenStrain& green) {
+  Eigen::Matrix2d metric;
+  metric << 1 + 2 * green[0], 2 * green[2], 2 * green[2], 1 + 2 * green[1];
+  return metric;
+}
 
 MembraneElement::MembraneElement(const std::array<Vector2, 3>& flat, const Material& material) {
   const double area2 = doubleArea(flat[0], flat[1], flat[2]);

@@ -16,6 +16,13 @@ using MembraneStrain = Eigen::Vector4d;
 /// E11, E22, E12 along the axes of the flat sheet.
 using GreenStrain = Eigen::Vector3d;
 
+/// Returns E = (F^T F - I) / 2 of the map F of a flat triangle into space.
+Eigen::Matrix2d greenStrain(const Eigen::Matrix<double, 3, 2>& f);
+
+/// Returns F^T F of a map with this Green strain: the scalar product of vectors of the flat sheet
+/// where they are in space.
+Eigen::Matrix2d metricOf(const GreenStrain& green);
+
 /// W = A t (lambda/2 tr(E)^2 + mu E:E) with the Green strain E = (F^T F - I) / 2 of the flat
 /// triangle's map into space, less the one it rests in, and the plane-stress constants
 /// lambda = E nu / (1 - nu^2), mu = E / (2 (1 + nu)).
@@ -35,7 +42,7 @@ class MembraneElement {
   MembraneStrain strain(const TrianglePoints& x) const;
   /// The same after a displacement, to first order in it.
   MembraneStrain strainAfter(const TrianglePoints& x, const TrianglePoints& displacement) const;
-  /// What strain() is of a triangle with this Green strain.
+  /// Returns the strain() of a triangle that has this Green strain.
   static MembraneStrain strainOf(const GreenStrain& green) {
     return {green[0], green[1], green[2], 0};
   }

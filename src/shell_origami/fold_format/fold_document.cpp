@@ -28,12 +28,18 @@ double readNumber(const json& value, const std::string& where) {
   return value.get<double>();
 }
 
-int readVertex(const json& value, int vertex_count, const std::string& where) {
-  if (!value.is_number_integer()) reject(where, " holds ", describeJson(value), ", not a vertex");
+/// Whether it is an integer, at least `least` and less than `end`.
+bool isIntegerWithin(const json& value, std::int64_t least, std::int64_t end) {
   // Beyond 64 bits the parser has made a float of it.
+  if (!value.is_number_integer()) return false;
   const bool huge = value.is_number_unsigned() &&
                     value.get<std::uint64_t>() > std::numeric_limits<std::int32_t>::max();
-  if (huge || value.get<std::int64_t>() < 0 || value.get<std::int64_t>() >= vertex_count) {
+  return !huge && value.get<std::int64_t>() >= least && value.get<std::int64_t>() < end;
+}
+
+int readVertex(const json& value, int vertex_count, const std::string& where) {
+  if (!value.is_number_integer()) reject(where, " holds ", describeJson(value), ", not a vertex");
+  if (!isIntegerWithin(value, 0, vertex_count)) {
     reject(where, " names vertex ", describeJson(value), ", but there are ", vertex_count);
   }
   return value.get<int>();
@@ -218,16 +224,10 @@ std::vector<std::array<int, 3>> FoldDocument::faceOrders(int frame, std::size_t 
   std::vector<std::array<int, 3>> orders;
   const json* list = findArray(frame, "faceOrders");
   if (!list) return orders;
-  const auto isInteger = [](const json& value, std::int64_t least, std::int64_t end) {
-    if (!value.is_number_integer()) return false;
-    const bool huge = value.is_number_unsigned() &&
-                      value.get<std::uint64_t>() > std::numeric_limits<std::int32_t>::max();
-    return !huge && value.get<std::int64_t>() >= least && value.get<std::int64_t>() < end;
-  };
   const auto faces = static_cast<std::int64_t>(face_count);
   for (const json& item : *list) {
-    if (!item.is_array() || item.size() != 3 || !isInteger(item[0], 0, faces) ||
-        !isInteger(item[1], 0, faces) || !isInteger(item[2], -1, 2)) {
+    if (!item.is_array() || item.size() != 3 || !isIntegerWithin(item[0], 0, faces) ||
+        !isIntegerWithin(item[1], 0, faces) || !isIntegerWithin(item[2], -1, 2)) {
       reject(place("faceOrders", orders.size()), " is ", describeJson(item), ", not two of ",
              face_count, " faces and -1, 0 or 1");
     }

@@ -1,5 +1,7 @@
 #include <shell_origami/node/frames.h>
 
+#include <shell_origami/sheet/rigid_panels.h>
+
 #include <tf2_eigen/tf2_eigen.h>
 #include <Eigen/Geometry>
 
@@ -12,34 +14,6 @@
 
 namespace shell_origami {
 namespace {
-
-/// Panel of each triangle.
-std::vector<int> panelOfTriangle(const Sheet& sheet) {
-  std::vector<std::vector<int>> neighbours(sheet.triangles().size());
-  for (const Edge& edge : sheet.edges()) {
-    if (edge.onBorder() || edge.crease >= 0) continue;
-    neighbours[edge.triangles[0]].push_back(edge.triangles[1]);
-    neighbours[edge.triangles[1]].push_back(edge.triangles[0]);
-  }
-  std::vector<int> panel(sheet.triangles().size(), -1);
-  int count = 0;
-  for (std::size_t first = 0; first < panel.size(); ++first) {
-    if (panel[first] >= 0) continue;
-    std::vector<int> open = {static_cast<int>(first)};
-    panel[first] = count;
-    while (!open.empty()) {
-      const int triangle = open.back();
-      open.pop_back();
-      for (const int neighbour : neighbours[triangle]) {
-        if (panel[neighbour] >= 0) continue;
-        panel[neighbour] = count;
-        open.push_back(neighbour);
-      }
-    }
-    ++count;
-  }
-  return panel;
-}
 
 /// The rotation and shift that bring the flat vertices closest to where they are.
 Eigen::Isometry3d rigidFit(const Sheet& sheet, const std::vector<int>& vertices,

@@ -125,33 +125,6 @@ bool panelsClose(const Sheet& sheet, const Targets& targets) {
   });
 }
 
-/// The panel of each triangle: triangles are of one where no crease parts them.
-std::vector<int> panelsOf(const Sheet& sheet) {
-  std::vector<std::vector<int>> neighbors(sheet.triangles().size());
-  for (const Edge& edge : sheet.edges()) {
-    if (edge.onBorder() || edge.crease >= 0) continue;
-    neighbors[edge.triangles[0]].push_back(edge.triangles[1]);
-    neighbors[edge.triangles[1]].push_back(edge.triangles[0]);
-  }
-  std::vector<int> panels(sheet.triangles().size(), -1), next;
-  for (std::size_t seed = 0; seed < panels.size(); ++seed) {
-    if (panels[seed] >= 0) continue;
-    const int panel = static_cast<int>(seed);
-    panels[seed] = panel;
-    next.assign(1, panel);
-    while (!next.empty()) {
-      const int triangle = next.back();
-      next.pop_back();
-      for (int neighbor : neighbors[triangle]) {
-        if (panels[neighbor] >= 0) continue;
-        panels[neighbor] = panel;
-        next.push_back(neighbor);
-      }
-    }
-  }
-  return panels;
-}
-
 Vector2 centerOf(const Sheet& sheet, std::size_t triangle) {
   const auto& [a, b, c] = sheet.triangles()[triangle];
   const auto& flat = sheet.flatPositions();
@@ -163,7 +136,7 @@ Vector2 centerOf(const Sheet& sheet, std::size_t triangle) {
 std::string bentSentence(const Simulation& simulation) {
   const Sheet& sheet = simulation.sheet();
   if (!panelsClose(sheet, Targets(simulation.creases()))) return "";
-  const std::vector<int> panels = panelsOf(sheet);
+  const std::vector<int> panels = panelOfTriangle(sheet);
   std::vector<Vector3> normals;  // twice the area long
   std::map<int, Vector3> means;
   for (std::size_t i = 0; i < panels.size(); ++i) {

@@ -112,4 +112,31 @@ std::vector<int> innerCreaseVertices(const Sheet& sheet) {
   return {found.begin(), found.end()};
 }
 
+std::vector<int> panelOfTriangle(const Sheet& sheet) {
+  std::vector<std::vector<int>> neighbours(sheet.triangles().size());
+  for (const Edge& edge : sheet.edges()) {
+    if (edge.onBorder() || edge.crease >= 0) continue;
+    neighbours[edge.triangles[0]].push_back(edge.triangles[1]);
+    neighbours[edge.triangles[1]].push_back(edge.triangles[0]);
+  }
+  std::vector<int> panel(sheet.triangles().size(), -1);
+  int count = 0;
+  for (std::size_t first = 0; first < panel.size(); ++first) {
+    if (panel[first] >= 0) continue;
+    std::vector<int> open = {static_cast<int>(first)};
+    panel[first] = count;
+    while (!open.empty()) {
+      const int triangle = open.back();
+      open.pop_back();
+      for (const int neighbour : neighbours[triangle]) {
+        if (panel[neighbour] >= 0) continue;
+        panel[neighbour] = count;
+        open.push_back(neighbour);
+      }
+    }
+    ++count;
+  }
+  return panel;
+}
+
 }  // namespace shell_origami

@@ -30,6 +30,10 @@ double kawasakiError(const Sheet& sheet, int vertex);
 std::vector<double> anglesAround(const Sheet& sheet, int vertex,
                                  const std::vector<double>& crease_angles);
 
+/// Returns the panel of each triangle: triangles are of one panel where no crease parts them.
+/// Panels are numbered in the order of their first triangles.
+std::vector<int> panelOfTriangle(const Sheet& sheet);
+
 /// The vertices inside the paper at which creases meet or end, ascending.
 std::vector<int> innerCreaseVertices(const Sheet& sheet);
 
