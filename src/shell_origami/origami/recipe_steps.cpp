@@ -1,0 +1,136 @@
+#include <shell_origami/origami/recipe_steps.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace shell_origami {
+namespace {
+
+FoldEdit readFoldEntry(const RecipeReader& reader, const YAML::Node& node) {
+  FoldEdit fold;
+  bool has_place = false;
+  int angles = 0;
+  const auto place = [&](const YAML::Node& value) {
+    if (has_place) reader.refuseAt(value, "a fold takes one of line and crease, not both");
+    has_place = true;
+  };
+  reader.readMap(
+      node, "a fold",
+      {{"line",
+        [&](const YAML::Node& value) {
+          place(value);
+          const auto ends = reader.points(value, "line");
+          if (ends.size() != 2) reader.refuseAt(value, "a line has two ends");
+          fold.where = Segment{ends[0], ends[1]};
+        }},
+       {"crease",
+        [&](const YAML::Node& value) {
+          place(value);
+          fold.where = CreaseName{reader.text(value, "crease")};
+        }},
+       {"angle_deg",
+        [&](const YAML::Node& value) {
+          const double angle = reader.number(value, "angle_deg");
+          if (!(std::abs(angle) < 180)) {
+            reader.refuseAt(value, "angle_deg ", angle, " is not inside (-180, 180)");
+          }
+          fold.angle = angle * kDegree;
+          ++angles;
+        }},
+       {"part",
+        [&](const YAML::Node& value) {
+          fold.part = reader.number(value, "part");
+          if (!(fold.part >= 0 && fold.part <= 1)) {
+            reader.refuseAt(value, "part ", fold.part, " is not from 0 to 1");
+          }
+          ++angles;
+        }},
+       {"stiffness",
+        [&](const YAML::Node& value) { fold.stiffness = reader.number(value, "stiffness"); }},
+       {"name", [&](const YAML::Node& value) {
+          fold.name = reader.text(value, "name");
+          try {
+            checkCreaseName(fold.name);
+          } catch (const std::invalid_argument& error) {
+            reader.refuseAt(value, error.what());
+          }
+        }}});
+  if (!has_place) reader.refuseAt(node, "a fold needs a line or a crease");
+  if (angles != 1) reader.refuseAt(node, "a fold needs either angle_deg or part");
+  return fold;
+}
+
+PinStep readPin(const RecipeReader& reader, const YAML::Node& node) {
+  PinStep pin;
+  if (node.IsMap() && node.size() != 1) reader.refuseAt(node, "pin takes one of region and points");
+  reader.readMap(
+      node, "pin",
+      {{"region",
+        [&](const YAML::Node& value) { pin.where = Region{reader.points(value, "region")}; }},
+       {"points", [&](const YAML::Node& value) { pin.where = reader.points(value, "points"); }}});
+  return pin;
+}
+
+UnpinStep readUnpin(const RecipeReader& reader, const YAML::Node& node) {
+  UnpinStep unpin;
+  if (node.IsScalar() && node.Scalar() == "all") return unpin;
+  if (!node.IsMap() || node.size() != 1) reader.refuseAt(node, "unpin takes all or points");
+  reader.readMap(node, "unpin", {{"points", [&](const YAML::Node& value) {
+                                    unpin.points = reader.points(value, "points");
+                                  }}});
+  return unpin;
+}
+
+double readSeconds(const RecipeReader& reader, const YAML::Node& node, const std::string& what) {
+  const double seconds = reader.number(node, what);
+  if (seconds < 0) reader.refuseAt(node, what, " ", seconds, " s is negative");
+  return seconds;
+}
+
+}  // namespace
+
+RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double fold_duration) {
+  std::vector<RecipeStep> steps;
+  double duration = fold_duration;
+  bool has_duration = false;
+  reader.readMap(
+      node, "a step",
+      {{"pin", [&](const YAML::Node& value) { steps.push_back(readPin(reader, value)); }},
+       {"unpin", [&](const YAML::Node& value) { steps.push_back(readUnpin(reader, value)); }},
+       {"fold",
+        [&](const YAML::Node& value) {
+          if (!value.IsSequence() || value.size() == 0) {
+            reader.refuseAt(value, "fold must be a list of folds");
+          }
+          FoldStep step;
+          for (const YAML::Node& entry : value) step.folds.push_back(readFoldEntry(reader, entry));
+          steps.push_back(step);
+        }},
+       {"duration",
+        [&](const YAML::Node& value) {
+          duration = readSeconds(reader, value, "duration");
+          has_duration = true;
+        }},
+       {"settle", [&](const YAML::Node& value) {
+          SettleStep step;
+          reader.readMap(value, "settle",
+                         {{"timeout",
+                           [&](const YAML::Node& timeout) {
+                             step.timeout = readSeconds(reader, timeout, "timeout");
+                           }},
+                          {"quasi_static", [&](const YAML::Node& at_once) {
+                             step.quasi_static = reader.truth(at_once, "quasi_static");
+                           }}});
+          steps.push_back(step);
+        }}});
+  if (steps.size() != 1) {
+    reader.refuseAt(node, "a step does one thing: pin, unpin, fold or settle, not ", steps.size());
+  }
+  FoldStep* fold = std::get_if<FoldStep>(&steps[0]);
+  if (has_duration && !fold) reader.refuseAt(node, "duration belongs to a fold");
+  if (fold) fold->duration = duration;
+  return steps[0];
+}
+
+}  // namespace shell_origami
