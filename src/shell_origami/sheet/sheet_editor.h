@@ -3,9 +3,12 @@
 #pragma once
 
 #include <shell_origami/mesh/material_mesh.h>
+#include <shell_origami/sheet/crease_labels.h>
 #include <shell_origami/sheet/fold_line.h>
 
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace shell_origami {
@@ -32,11 +35,6 @@ class SheetEditor {
                   const std::string& name);
 
  private:
-  /// A crease of the edited copy that the sheet does not have yet.
-  struct NewCrease {
-    std::optional<int> parent;  ///< index of the old crease that it was cut off
-  };
-  int addCrease(std::optional<int> parent);
   bool coincide(int v, int w) const;
   std::optional<int> nextOnLine(int current, int to, const Segment& line) const;
   std::optional<Triangulation::Side> crossedSide(int current, const Segment& line) const;
@@ -48,15 +46,11 @@ class SheetEditor {
   std::optional<int> fixedCorner(const Triangle& corners, const Vector2& p, double tolerance) const;
   void checkEdges(const Sheet& before, const Sheet& after) const;
   std::vector<std::vector<int>> partsInside(const std::vector<int>& polyline) const;
-  void label(const std::vector<std::vector<int>>& parts);
-  std::vector<Crease> gatherCreases(Sheet& sheet, const std::vector<std::vector<int>>& parts,
-                                    const std::string& name, std::vector<Remap::Born>& born);
 
   MaterialMesh mesh_;
   double merged_;    ///< distance within which ends are moved onto fixed vertices and edges [m]
   double shortest_;  ///< edge that may be made [m]
-  const std::vector<Crease>& old_creases_;
-  std::vector<NewCrease> new_creases_;
+  CreaseLabels creases_;
   std::vector<int> protected_;  ///< ends of the line, which stay
 };
 
