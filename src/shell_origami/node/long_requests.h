@@ -12,15 +12,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
-
-/// Fails a request with an error message.
-template <class Result>
-void fail(std::promise<Result>& answer, const std::string& why) {
-  answer.set_exception(std::make_exception_ptr(std::invalid_argument(why)));
-}
 
 /// So many time steps, of which the node takes one after the other.
 struct LongStep {
@@ -92,6 +87,51 @@ class LongLoad {
   std::string path_;
   std::shared_ptr<Paper> paper_;
   std::unique_ptr<Background> work_;
+};
+
+/// The long requests under way: at most one to step or settle, and one to load.
+class LongRequests {
+ public:
+  // Each begins one. \throws std::invalid_argument when another is in its way
+  std::future<double> step(std::uint32_t count);
+  std::future<EditRecord> settle(const Session& session);
+  std::future<msg::Load::Response> load(const std::string& path, LongLoad::Read read);
+  /// Begins to settle for a recipe's step, which ends a request to settle.
+  void settleForRecipe(const Session& session);
+
+  bool stepping() const { return stepping_.has_value(); }
+  LongSettle* settling() const { return settling_.get(); }  ///< null: none is under way
+  bool settlesForRecipe() const { return settling_ && settling_->ofRecipe(); }
+  /// Whether a request to load is ready to be finished.
+  bool loaded() const { return loading_ && loading_->done(); }
+
+  /// Counts a step that was taken; the paper's time is `time` [s] now. Returns whether it was the
+  /// last one, and then has answered the request. \pre stepping()
+  bool stepTaken(double time);
+  // Each hands a request over to whoever finishes it. \pre it is done
+  std::unique_ptr<LongSettle> takeSettle() { return std::move(settling_); }
+  std::unique_ptr<LongLoad> takeLoad() { return std::move(loading_); }
+
+  /// Ends them all early. What a recipe has begun it finishes, paused or not: it takes no time of
+  /// the paper's.
+  void end(const std::string& why);
+  /// Returns whether there was a request to step.
+  bool endStep(const std::string& why);
+  /// Ends what settleForRecipe() began.
+  void endRecipeSettle();
+  /// Lets go of work that was ended early and has stopped since.
+  void forgetEnded();
+
+ private:
+  void requireNone() const;
+  void requireFewEnding() const;
+  void endSettle(const std::string& why);
+  void endLoad(const std::string& why);
+
+  std::optional<LongStep> stepping_;
+  std::unique_ptr<LongSettle> settling_;
+  std::unique_ptr<LongLoad> loading_;
+  std::vector<std::unique_ptr<Background>> ending_;  ///< given up, but still at work
 };
 
 }  // namespace shell_origami

@@ -1,7 +1,7 @@
 #include <shell_origami/node/origami_node.h>
 
-#include <shell_origami/base/error.h>
 #include <shell_origami/node/message_text.h>
+#include <shell_origami/node/paper_sources.h>
 #include <shell_origami/node/record/edit_messages.h>
 #include <shell_origami/node/time_arithmetic.h>
 
@@ -20,53 +20,8 @@ namespace {
 constexpr double kIdlePeriod = 0.5;
 /// How often to look whether the start may be over [s].
 constexpr double kWaitPeriod = 0.02;
-/// How many requests may be at work in the background after they were ended.
-constexpr std::size_t kMostEnding = 4;
 /// How long a recorder takes from subscribing to listening [s].
 constexpr double kRecorderStart = 0.3;
-
-/// The paper of a recipe. What was changed to read its pattern is told in the log.
-Simulation paperOf(const Recipe& recipe) {
-  std::vector<std::string> notes;
-  Simulation simulation = makeSimulation(recipe.sheet, recipe.config, &notes);
-  for (const std::string& note : notes) {
-    ROS_WARN("%s: %s", recipe.sheet.pattern.c_str(), note.c_str());
-  }
-  return simulation;
-}
-
-/// The sheet and the recipe of the parameters.
-Run newRun(const NodeConfig& config) {
-  if (config.recipe.empty()) {
-    return {Session(makeSimulation(config.sheet, config.simulation)), std::nullopt, config.paused};
-  }
-  Recipe recipe = loadRecipe(findRecipe(config.recipe), config.simulation, config.sheet);
-  Simulation simulation = paperOf(recipe);
-  return {Session(std::move(simulation)), RecipeRun(std::move(recipe), config.output),
-          config.paused};
-}
-
-Run beginRun(const NodeConfig& config, const Checkpoint& checkpoint) {
-  std::optional<Run> kept = checkpoint.read();
-  if (!kept) return newRun(config);
-  ROS_INFO("going on from %s, at %.3f s", config.checkpoint.c_str(), kept->session.time());
-  return std::move(*kept);
-}
-
-Simulation paperFromFile(const NodeConfig& config, const std::string& path, double scale,
-                         std::vector<std::string>& notes) {
-  if (isRecipe(path)) {
-    if (scale != 0) {
-      reject("scale is ", scale, ", but ", path, " is a recipe, which states its own scale");
-    }
-    const Recipe recipe = loadRecipe(path, config.simulation, config.sheet);
-    return makeSimulation(recipe.sheet, recipe.config, &notes);
-  }
-  SheetSource source = config.sheet;
-  source.pattern = path;
-  source.scale = scale;
-  return makeSimulation(source, config.simulation, &notes);
-}
 
 }  // namespace
 
@@ -95,24 +50,24 @@ void OrigamiNode::spin() {
     const double wait = std::clamp(untilNextStep(), 0.0, kIdlePeriod);
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(publishDue() ? 0 : wait));
     if (waiting_ && start_wait_.over(publishers_)) startWatched();
-    forgetEnded();
-    if (loading_ && loading_->done()) {
+    requests_.forgetEnded();
+    if (requests_.loaded()) {
       finishLoading();
       continue;  // and what was asked meanwhile is answered before large paper is published
     }
-    if (settling_) continueSettling();
-    else if (stepping_) continueStepping();
+    if (requests_.settling()) continueSettling();
+    else if (requests_.stepping()) continueStepping();
     else if (!run_.paused && untilNextStep() <= 0) advance();
     if (publishDue()) publish();
     keepCheckpoint();
   }
   keepCheckpoint(true);
-  endLongRequests("the node ends");
+  requests_.end("the node ends");
 }
 
 double OrigamiNode::untilNextStep() {
-  if (settling_) return kIdlePeriod;  // its end wakes the node
-  if (stepping_) return 0;
+  if (requests_.settling()) return kIdlePeriod;  // its end wakes the node
+  if (requests_.stepping()) return 0;
   if (run_.paused) return waiting_ ? kWaitPeriod : kIdlePeriod;
   return clock_->wait(run_.session.time(), run_.session.simulation().config().solver.time_step);
 }
@@ -136,7 +91,7 @@ void OrigamiNode::configure(const NodeConfig& config) {
 }
 
 void OrigamiNode::pause() {
-  endLongRequests("ended by ~pause");
+  requests_.end("ended by ~pause");
   halt();
 }
 
@@ -147,59 +102,33 @@ void OrigamiNode::halt() {
 }
 
 void OrigamiNode::resume() {
-  endStepping("~resume lets time run");
+  if (requests_.endStep("~resume lets time run")) changed_ = true;
   clock_->hold(run_.session.time());
   run_.paused = false;
   waiting_ = false;
 }
 
-std::future<double> OrigamiNode::takeSteps(std::uint32_t count) {
-  requireNothingLong();
-  stepping_.emplace();
-  stepping_->count = count;
-  return stepping_->answer.get_future();
-}
+std::future<double> OrigamiNode::takeSteps(std::uint32_t count) { return requests_.step(count); }
 
-std::future<EditRecord> OrigamiNode::settle() {
-  requireNothingLong();
-  settling_ = std::make_unique<LongSettle>(run_.session, false);
-  return settling_->answer.get_future();
-}
-
-void OrigamiNode::requireNothingLong() const {
-  requireFewEnding();
-  if (stepping_) {
-    reject("the node takes ", stepping_->count,
-           " steps: wait until they are taken, or end that with ", "~pause");
-  }
-  if (settling_) reject("the paper settles: wait until it has settled, or end that with ~pause");
-}
-
-/// Each has a thread of its own.
-void OrigamiNode::requireFewEnding() const {
-  if (ending_.size() < kMostEnding) return;
-  reject(ending_.size(), " requests that were ended are still at work: wait a little");
-}
+std::future<EditRecord> OrigamiNode::settle() { return requests_.settle(run_.session); }
 
 void OrigamiNode::continueStepping() {
   switch (advance()) {
     case Advance::kSettles: return;
-    case Advance::kFailed: endStepping(step_.failure); return;
+    case Advance::kFailed: requests_.endStep(step_.failure); return;
     case Advance::kStepped: break;
   }
-  if (++stepping_->taken < stepping_->count) return;
-  changed_ = true;
-  stepping_->answer.set_value(run_.session.time());
-  stepping_.reset();
+  if (requests_.stepTaken(run_.session.time())) changed_ = true;
 }
 
 void OrigamiNode::continueSettling() {
-  if (!settling_->done()) return;
-  if (settling_->outdated()) {
-    settling_->startAgain(run_.session);
+  LongSettle* settling = requests_.settling();
+  if (!settling->done()) return;
+  if (settling->outdated()) {
+    settling->startAgain(run_.session);
     return;
   }
-  const std::unique_ptr<LongSettle> ended = std::move(settling_);
+  const std::unique_ptr<LongSettle> ended = requests_.takeSettle();
   clock_->hold(run_.session.time());  // it may have taken long
   changed_ = true;
   try {
@@ -210,44 +139,10 @@ void OrigamiNode::continueSettling() {
   }
 }
 
-void OrigamiNode::forgetEnded() {
-  ending_.erase(
-      std::remove_if(ending_.begin(), ending_.end(), [](const auto& work) { return work->done(); }),
-      ending_.end());
-}
-
-void OrigamiNode::endLongRequests(const std::string& why) {
-  endStepping(why);
-  endSettling(why);
-  endLoading(why);
-}
-
-void OrigamiNode::endStepping(const std::string& why) {
-  if (!stepping_) return;
-  fail(stepping_->answer, stepping_->stopped(why));
-  stepping_.reset();
-  changed_ = true;
-}
-
-/// What a recipe has begun it finishes, paused or not: it takes no time of the paper's.
-void OrigamiNode::endSettling(const std::string& why) {
-  if (!settling_ || settling_->ofRecipe()) return;
-  fail(settling_->answer, why);
-  ending_.push_back(settling_->giveUp());
-  settling_.reset();
-}
-
-void OrigamiNode::endLoading(const std::string& why) {
-  if (!loading_) return;
-  fail(loading_->answer, why);
-  ending_.push_back(loading_->giveUp());
-  loading_.reset();
-}
-
 /// One step, and the part of the recipe that is due before it. The node pauses where it fails.
 OrigamiNode::Advance OrigamiNode::advance() {
   if (!continueRecipe()) return Advance::kFailed;
-  if (settling_) return Advance::kSettles;
+  if (requests_.settling()) return Advance::kSettles;
   const double time_step = run_.session.simulation().config().solver.time_step;
   if (carrier_) carrier_(time_step, clock_->stamp(run_.session.time() + time_step));
   step_ = run_.session.step();
@@ -261,7 +156,7 @@ OrigamiNode::Advance OrigamiNode::advance() {
 
 void OrigamiNode::keepCheckpoint(bool now) {
   // A recipe that settles has begun a step whose edit is still to be made.
-  if (waiting_ || (settling_ && settling_->ofRecipe())) return;
+  if (waiting_ || requests_.settlesForRecipe()) return;
   if (now) checkpoint_.write(run_);
   else checkpoint_.keep(run_);
 }
@@ -272,8 +167,7 @@ bool OrigamiNode::applyOfRecipe(const Edit& edit) {
     apply(edit);
     return true;
   }
-  endSettling("a recipe settles the paper");
-  settling_ = std::make_unique<LongSettle>(run_.session, true);
+  requests_.settleForRecipe(run_.session);
   return false;
 }
 
@@ -298,10 +192,7 @@ void OrigamiNode::endRecipe(const std::string& why) {
   if (!run_.recipe) return;
   RecipeRun ended = std::move(*run_.recipe);
   run_.recipe.reset();
-  if (settling_ && settling_->ofRecipe()) {
-    ending_.push_back(settling_->giveUp());
-    settling_.reset();
-  }
+  requests_.endRecipeSettle();
   ended.end(why);
 }
 
@@ -335,19 +226,13 @@ void OrigamiNode::stop(const std::string& reason) {
 }
 
 std::future<msg::Load::Response> OrigamiNode::load(const std::string& path, double scale) {
-  requireFewEnding();
-  if (loading_) {
-    reject(loading_->path(), " is being read: wait until it is loaded, or end that with ~pause");
-  }
-  loading_ = std::make_unique<LongLoad>(
-      path, [config = config_, path, scale](std::vector<std::string>& notes) {
-        return paperFromFile(config, path, scale, notes);
-      });
-  return loading_->answer.get_future();
+  return requests_.load(path, [config = config_, path, scale](std::vector<std::string>& notes) {
+    return paperFromFile(config, path, scale, notes);
+  });
 }
 
 void OrigamiNode::finishLoading() {
-  const std::unique_ptr<LongLoad> ended = std::move(loading_);
+  const std::unique_ptr<LongLoad> ended = requests_.takeLoad();
   try {
     replacePaper(ended->finish(), ended->path());
     publishView(nullptr);
@@ -367,18 +252,18 @@ void OrigamiNode::finishLoading() {
 
 void OrigamiNode::replacePaper(Simulation simulation, const std::string& path) {
   endRecipe("another paper takes the place of this one");
-  endLongRequests("another paper takes the place of this one");
+  requests_.end("another paper takes the place of this one");
   run_.session.replace(std::move(simulation), path);
 }
 
 void OrigamiNode::reset() {
   endRecipe("the paper is reset");
-  endLongRequests("the paper is reset");
+  requests_.end("the paper is reset");
   run_.session.reset();
 }
 
 void OrigamiNode::onEdit(const EditRecord& record) {
-  if (settling_) settling_->outdate();
+  if (LongSettle* settling = requests_.settling()) settling->outdate();
   publishers_.publishEdit(editMessage(record), stamp());
   changed_ = true;
 }
@@ -418,7 +303,7 @@ ros::Time OrigamiNode::stamp() {
 
 /// A paused paper is due after a change, and now and then for whoever came late.
 bool OrigamiNode::publishDue() {
-  if (!standing() || stepping_) return movingDue();
+  if (!standing() || requests_.stepping()) return movingDue();
   if (stamp().isZero()) return false;
   return changed_ || (ros::SteadyTime::now() - last_publish_).toSec() >= kIdlePeriod;
 }

@@ -13,17 +13,16 @@
 
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace shell_origami {
 
 /// The paper and all requests are handled in one thread, between time steps. Requests that take
 /// longer are done a step at a time, or in the background, so that others are answered within one
-/// step; at most one request to step or settle, and one to load, is under way.
+/// step (LongRequests).
 class OrigamiNode : private SessionListener {
  public:
   /// \throws std::exception with one sentence when there is no such recipe or sheet.
@@ -93,17 +92,10 @@ class OrigamiNode : private SessionListener {
   Advance advance();
   void halt();
   /// Whether time stands still.
-  bool standing() const { return run_.paused || settling_; }
-  void requireNothingLong() const;
+  bool standing() const { return run_.paused || requests_.settling(); }
   void continueStepping();
   void continueSettling();
   void finishLoading();
-  void requireFewEnding() const;
-  void forgetEnded();
-  void endLongRequests(const std::string& why);
-  void endStepping(const std::string& why);
-  void endSettling(const std::string& why);
-  void endLoading(const std::string& why);
   bool continueRecipe();
   void endRecipe(const std::string& why = "");
   void startWatched();
@@ -121,11 +113,8 @@ class OrigamiNode : private SessionListener {
   Publishers publishers_;
   Carrier carrier_;
   RealTimeFactor real_time_factor_;
-  std::optional<LongStep> stepping_;
-  std::unique_ptr<LongSettle> settling_;
-  std::unique_ptr<LongLoad> loading_;
-  std::vector<std::unique_ptr<Background>> ending_;  ///< given up, but still at work
-  StepReport step_;                                  ///< the last one
+  LongRequests requests_;
+  StepReport step_;  ///< the last one
   StartWait start_wait_;
   bool waiting_;         ///< paused only until start_wait_ is over
   bool changed_ = true;  ///< by a request, since the last time the paper was published
