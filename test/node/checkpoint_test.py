@@ -71,7 +71,7 @@ class CheckpointTest(unittest.TestCase):
         def written():
             return os.path.exists(self.file) and os.stat(self.file).st_mtime_ns
         before = written()
-        wait_until(lambda: written() not in (False, before))
+        wait_until(lambda: written() not in (False, before), self.file + ' is written')
 
     def test_killed_in_a_recipe_it_goes_on_to_the_bit(self):
         output = os.path.join(self.folder, 'results')

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """With clock: follow, simulation time keeps pace with /clock, which this test publishes."""
 
-import threading
 import time
 
 import rospy
@@ -10,7 +9,7 @@ from diagnostic_msgs.msg import DiagnosticArray
 from rosgraph_msgs.msg import Clock, Log
 
 from moving_frame import MovingFrame
-from origami_client import NodeTest, Origami, Recorder
+from origami_client import NodeTest, Origami, Recorder, repeat
 
 STEP = 1.0 / 60
 
@@ -22,14 +21,12 @@ class FakeClock(object):
         self.publisher = rospy.Publisher('/clock', Clock, queue_size=10)
         self.seconds = 100.0
         self.running = True
-        threading.Thread(target=self._run, daemon=True).start()
+        repeat(self._tick, 0.01)
 
-    def _run(self):
-        while True:
-            if self.running:
-                self.seconds += 0.02
-            self.publisher.publish(Clock(rospy.Time.from_sec(self.seconds)))
-            time.sleep(0.01)
+    def _tick(self):
+        if self.running:
+            self.seconds += 0.02
+        self.publisher.publish(Clock(rospy.Time.from_sec(self.seconds)))
 
 
 class FollowClockTest(NodeTest):
@@ -72,7 +69,7 @@ class FollowClockTest(NodeTest):
     def test_steps_while_paused_advance_time_exactly_and_nothing_else_does(self):
         self.origami.do('pause')
         start = self.origami.do('step', steps=1).time
-        time.sleep(0.3)  # 0.6 s of ROS time, in which no time of the paper's passes
+        self.origami.stand_still()  # a second of ROS time, in which no time of the paper's passes
         self.assertAlmostEqual(self.origami.do('step', steps=60).time, start + 60 * STEP, delta=1e-9)
         self.clock.running = False
         self.assertAlmostEqual(self.origami.do('step', steps=60).time, start + 120 * STEP,

@@ -7,7 +7,6 @@ import os
 import shutil
 import subprocess
 import tempfile
-import time
 
 import rospy
 import rostest
@@ -16,7 +15,7 @@ from actionlib_msgs.msg import GoalID
 from dynamic_reconfigure.srv import Reconfigure
 from geometry_msgs.msg import PointStamped, TransformStamped
 
-from origami_client import NodeTest, Recorder
+from origami_client import NodeTest, Recorder, wait_until
 from random_requests import RandomRequests
 from shell_origami.msg import FoldRecipeActionFeedback, FoldRecipeActionGoal, FoldRecipeActionResult
 from whole_sheet import Broken, area, check_sheet, check_state
@@ -112,14 +111,11 @@ class FuzzRequestsTest(NodeTest):
 
     def wait_for_answer(self, goal):
         """Whether the goal was accepted. Goals that are not end at once."""
-        deadline = time.time() + 10
-        while time.time() < deadline:
-            if any(m.status.goal_id.id == goal for m in self.feedback.all()):
-                return True
-            if any(m.status.goal_id.id == goal for m in self.results.all()):
-                return False
-            time.sleep(0.002)
-        raise Broken('the goal is not answered')
+        def among(messages):
+            return any(m.status.goal_id.id == goal for m in messages)
+        wait_until(lambda: among(self.feedback.all()) or among(self.results.all()),
+                   'the goal is answered', period=0.002)
+        return among(self.feedback.all())
 
     def ask_cancel(self, before):
         stamp = rospy.Time(self.random.random.choice([0, 0, 1, 2 ** 32 - 1]), 0)

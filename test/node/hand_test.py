@@ -36,11 +36,12 @@ class HandTest(NodeTest):
         cls.updates = Recorder('/hand/update', InteractiveMarkerUpdate)
         cls.log = Recorder('/rosout', Log)
         cls.shown.wait(lambda shown: shown.markers)
-        while not cls.clicks.get_num_connections():
-            rospy.sleep(0.01)
-        while not any(log.name == '/hand' for log in cls.log.all()):
-            cls.choose('let go')  # until both hear each other
-            rospy.sleep(0.1)
+        wait_until(cls.clicks.get_num_connections, 'someone hears clicks')
+
+        def answers():  # once both hear each other
+            cls.choose('let go')
+            return any(log.name == '/hand' for log in cls.log.all())
+        wait_until(answers, 'the hand says something', period=0.1)
 
     @classmethod
     def send(cls, event, **fields):
@@ -97,7 +98,7 @@ class HandTest(NodeTest):
             self.drag(pose, **fields)
             return next((log for log in self.log.all()[since:]
                          if log.name == '/hand' and words in log.msg), None)
-        return wait_until(warning)
+        return wait_until(warning, 'the hand warns: ' + words)
 
     def place(self, vertex):
         p = self.origami.states.all()[-1].positions[vertex]
@@ -161,7 +162,7 @@ class HandTest(NodeTest):
             self.click(SIDE, SIDE)
             return any(edit.kind == 'pin' and edit.number > self.last_edit
                        for edit in self.origami.edits.all())
-        wait_until(taken_again)
+        wait_until(taken_again, 'the corner is taken again')
         self.assertEqual(list(self.edit('pin').vertices), [corner])
 
     def test_poses_that_make_no_sense_move_nothing(self):

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Time jumps back, and a frame that holds the paper carries it on from there."""
 
-import threading
 import time
 
 import rospy
@@ -9,7 +8,7 @@ import rostest
 from rosgraph_msgs.msg import Clock
 
 from moving_frame import MovingFrame
-from origami_client import NodeTest
+from origami_client import NodeTest, repeat
 
 
 class PlayedClock(object):
@@ -18,15 +17,13 @@ class PlayedClock(object):
     def __init__(self, start):
         self.publisher = rospy.Publisher('/clock', Clock, queue_size=10)
         self.set(start)
-        threading.Thread(target=self._run, daemon=True).start()
+        repeat(self._tick, 0.01)
 
     def set(self, now):
         self.offset = now - time.time()
 
-    def _run(self):
-        while True:
-            self.publisher.publish(rospy.Time(time.time() + self.offset))
-            time.sleep(0.01)
+    def _tick(self):
+        self.publisher.publish(rospy.Time(time.time() + self.offset))
 
 
 class HeldFramesSimTimeTest(NodeTest):

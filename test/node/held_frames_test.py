@@ -9,7 +9,7 @@ import rostest
 from geometry_msgs.msg import Point, Point32, PointStamped, Polygon, WrenchStamped
 
 from moving_frame import MovingFrame
-from origami_client import NodeTest, Recorder, distance, wait_until
+from origami_client import NodeTest, Recorder, distance, wait_for_transform, wait_until
 
 SIDE = 0.15
 WEIGHT = 800 * 1e-4 * SIDE * SIDE * 9.81  # [N]
@@ -33,7 +33,7 @@ class HeldFramesTest(NodeTest):
         super(HeldFramesTest, self).setUp()
         self.hand.silent = False
         self.hand.pose = (0.2, 0.1, 0, 0.3)
-        wait_until(self.knows_the_hand)
+        wait_until(self.knows_the_hand, 'the node knows where the hand is')
         self.origami.do('unpin')
         self.origami.do('pin', region=LEFT)
 
@@ -177,7 +177,7 @@ class HeldFramesTest(NodeTest):
 
     def test_a_frame_farther_than_positions_resolve_is_refused(self):
         self.hand.pose = (1001, 0, 0, 0)
-        rospy.sleep(0.3)  # until the node has heard of it
+        wait_for_transform(lambda t: t.child_frame_id == 'hand' and t.transform.translation.x == 1001)
         answer = self.origami.call('pin', region=RIGHT, frame_id='hand')
         self.assertFalse(answer.success)
         self.assertIn('(1001, 0, 0), but must be within 1000 m', answer.message)

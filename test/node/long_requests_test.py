@@ -46,7 +46,8 @@ def under_way(origami, service, **fields):
     """Makes a request, and waits until the node is at work on it: it refuses a second one then.
     Whichever of the two comes first is the one at work."""
     requests = [Waiting(origami, service, **fields) for _ in range(2)]
-    refused = wait_until(lambda: [request for request in requests if request.response is not None])
+    refused = wait_until(lambda: [request for request in requests if request.response is not None],
+                         'one of two requests is refused: ' + service)
     if len(refused) > 1 or refused[0].response.success:
         raise AssertionError('the node refuses no second request: %s' % refused[0].response)
     requests.remove(refused[0])

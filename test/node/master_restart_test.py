@@ -16,6 +16,8 @@ import xmlrpc.server
 import roslib.packages
 import rostest
 
+from origami_client import wait_until
+
 
 def free_port():
     with socket.socket() as free:
@@ -66,22 +68,23 @@ class MasterRestartTest(unittest.TestCase):
 
     def until(self, *command):
         """What the command says as soon as it succeeds."""
-        deadline = time.time() + 20
-        while True:
+        said = None
+
+        def succeeds():
+            nonlocal said
             try:
-                return subprocess.check_output(command, env=self.environment, timeout=5,
+                said = subprocess.check_output(command, env=self.environment, timeout=5,
                                                stderr=subprocess.STDOUT, universal_newlines=True)
+                return True
             except subprocess.SubprocessError as error:
-                if time.time() > deadline:
-                    self.fail('%s: %s' % (command, getattr(error, 'output', error)))
-            time.sleep(0.2)
+                said = getattr(error, 'output', error)
+                return False
+        wait_until(succeeds, lambda: '%s succeeds, but: %s' % (command, said), period=0.2)
+        return said
 
     def until_heard(self, heard, count):
         """Until a listener has heard so many states: it fails where the listener was lost."""
-        deadline = time.time() + 10
-        while len(heard) <= count:
-            self.assertLess(time.time(), deadline, 'a listener was lost')
-            time.sleep(0.02)
+        wait_until(lambda: len(heard) > count, 'a listener, which may be lost, hears more')
 
     def start_node(self, *parameters):
         return self.start(roslib.packages.find_node('shell_origami', 'origami_node')[0], *parameters)
@@ -103,15 +106,10 @@ class MasterRestartTest(unittest.TestCase):
         self.environment['ROS_MASTER_URI'] = relay.uri
         relay.nonsense = {'getSystemState', 'getPid'}
         node = self.start_node('_watch_master:=true')
-        deadline = time.time() + 20
-        while sum(method == 'getPid' and caller == '/origami' for method, caller in relay.calls) < 2:
-            self.assertLess(time.time(), deadline)
-            time.sleep(0.05)
-        relay.nonsense = {'getSystemState'}
-        while sum(method == 'getSystemState' and caller == '/origami'
-                  for method, caller in relay.calls) < 2:
-            self.assertLess(time.time(), deadline)
-            time.sleep(0.05)
+        for method in 'getPid', 'getSystemState':
+            relay.nonsense = {method, 'getSystemState'}
+            wait_until(lambda: relay.calls.count((method, '/origami')) >= 2,
+                       'the node calls %s twice' % method)
         self.assertIn('success: True', self.until('rosservice', 'call', '/origami/pause'))
         self.assertIsNone(node.poll())
 
@@ -135,9 +133,8 @@ class MasterRestartTest(unittest.TestCase):
         self.assertIsNone(node.poll())
 
         self.start_master()
-        deadline = time.time() + 10
-        while '/origami/fold' not in self.until('rosservice', 'list'):
-            self.assertLess(time.time(), deadline)
+        wait_until(lambda: '/origami/fold' in self.until('rosservice', 'list'),
+                   'the next master knows the node')
         self.assertIn('success: True', self.until(*fold, "{crease: 'fold_0', angle: -0.5}"))
         self.assertIn('fold_0', self.until('rostopic', 'echo', '-n', '1', '/origami/sheet/creases'))
         # What it listens to, too.

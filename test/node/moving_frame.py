@@ -1,12 +1,13 @@
 """A TF frame that a test moves."""
 
 import math
-import threading
 import time
 
 import rospy
 import tf2_ros
 from geometry_msgs.msg import TransformStamped
+
+from origami_client import repeat
 
 
 class MovingFrame(object):
@@ -14,18 +15,14 @@ class MovingFrame(object):
 
     def __init__(self, name, period=0.1):
         self.name = name
-        self.period = period
         self.pose = (0, 0, 0, 0)
         self.silent = False
         self.broadcaster = tf2_ros.TransformBroadcaster()
-        self.thread = threading.Thread(target=self._run, daemon=True)
-        self.thread.start()
+        repeat(self._send_unless_silent, period)
 
-    def _run(self):
-        while not rospy.is_shutdown():
-            if not self.silent:
-                self.send()
-            time.sleep(self.period)
+    def _send_unless_silent(self):
+        if not self.silent:
+            self.send()
 
     def send(self):
         x, y, z, yaw = self.pose

@@ -26,16 +26,26 @@ SERVICES = {
 }
 
 
-def wait_until(condition, timeout=10):
-    """Returns the first true value of `condition()`."""
+def wait_until(condition, what, timeout=20, period=0.02):
+    """Returns the first true value of `condition()`. `what` is awaited, in words: a text, or a
+    function that returns one in the end."""
     deadline = time.time() + timeout
     while True:
         value = condition()
         if value:
             return value
         if time.time() > deadline:
-            raise AssertionError('not so within %g s' % timeout)
-        time.sleep(0.02)
+            raise AssertionError('within %g s never: %s' % (timeout, what() if callable(what) else what))
+        time.sleep(period)
+
+
+def repeat(action, period):
+    """Does it again and again in a thread of its own, until the test ends."""
+    def run():
+        while not rospy.is_shutdown():
+            action()
+            time.sleep(period)
+    threading.Thread(target=run, daemon=True).start()
 
 
 class Recorder(object):
@@ -69,7 +79,8 @@ class Recorder(object):
                         return message
                 since = len(self.messages)
                 if time.time() > deadline:
-                    raise AssertionError('no such message within %g s' % timeout)
+                    raise AssertionError('no such message on %s within %g s, and %d others' %
+                                         (self.subscriber.name, timeout, len(self.messages)))
                 self.news.wait(0.05)
 
 
@@ -115,6 +126,12 @@ class Origami(object):
         start = self.states.wait(since=len(self.states.all())).step
         self.states.wait(lambda state: state.step >= start + count, timeout=20)
 
+    def stand_still(self):
+        """Waits while a paused node publishes twice: what has changed, and half a second later the
+        same again. One that ran would take steps from one to the other."""
+        for _ in range(2):
+            self.states.wait(since=len(self.states.all()))
+
     def edits_since(self, number):
         """Every edit after the one of this number. Pauses the node."""
         last = self.state().edits
@@ -131,7 +148,7 @@ class Origami(object):
             _, _, connections = self.api().getBusInfo('/test')
             return {topic for _, other, way, _, topic, *_ in connections
                     if way == 'o' and other.startswith(node)}
-        wait_until(lambda: connected().issuperset(topics))
+        wait_until(lambda: connected().issuperset(topics), '%s hears %s' % (node, topics))
 
     def memory(self):
         """What the node keeps resident [bytes]."""
@@ -143,14 +160,18 @@ class Origami(object):
         return rosnode.rosnode_ping(self.name, max_count=1, verbose=False)
 
 
-def wait_for_panels():
-    """Waits until a paused node knows the panels' frames as they are: it hears what it sends itself
-    about when this test does, and by the second time for sure."""
+def wait_for_transform(wanted):
+    """Waits until the node has heard a transform that is sent again and again: it hears it about when
+    this test does, and by the second time for sure."""
     frames = Recorder('/tf', TFMessage)
     for _ in range(2):
-        frames.wait(lambda m: any(t.child_frame_id.startswith('panel_') for t in m.transforms),
-                    since=len(frames.all()))
+        frames.wait(lambda m: any(wanted(t) for t in m.transforms), since=len(frames.all()))
     frames.subscriber.unregister()
+
+
+def wait_for_panels():
+    """Waits until a paused node, which sends them itself, knows the panels' frames as they are."""
+    wait_for_transform(lambda t: t.child_frame_id.startswith('panel_'))
 
 
 def line(x0, y0, x1, y1):

@@ -7,7 +7,7 @@ import rospy
 import rostest
 from geometry_msgs.msg import PointStamped
 
-from origami_client import NodeTest, Origami, Recorder, distance, line, wait_for_panels
+from origami_client import NodeTest, Origami, Recorder, distance, line, wait_for_panels, wait_until
 from shell_origami.msg import Picked
 
 SIDE = 0.15
@@ -21,8 +21,8 @@ class PickingTest(NodeTest):
         cls.origami = Origami()
         cls.picked = Recorder('/origami/picked', Picked)
         cls.clicks = rospy.Publisher('/clicked_point', PointStamped, queue_size=10)
-        while not cls.clicks.get_num_connections() or not cls.picked.subscriber.get_num_connections():
-            rospy.sleep(0.01)
+        wait_until(lambda: cls.clicks.get_num_connections() and
+                   cls.picked.subscriber.get_num_connections(), 'clicks are heard and answered')
         cls.origami.do('reset')
         cls.origami.do('fold', line=line(0.075, 0, 0.075, SIDE), angle=2.0, duration=0.3)
         cls.origami.do('step', steps=90)

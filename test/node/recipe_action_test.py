@@ -94,11 +94,12 @@ class Goal(object):
 
     def starts(self):
         """Whether it does, and does not end before."""
-        wait_until(lambda: self.feedback or self.ended.is_set(), 20)
+        wait_until(lambda: self.feedback or self.ended.is_set(), 'the goal starts or ends')
         return not self.ended.is_set()
 
     def wait_for_progress(self, progress):
-        wait_until(lambda: any(feedback.progress >= progress for feedback in self.feedback), 20)
+        wait_until(lambda: any(feedback.progress >= progress for feedback in self.feedback),
+                   'progress of %g' % progress)
 
     def id(self):
         return self.handle.comm_state_machine.action_goal.goal_id.id

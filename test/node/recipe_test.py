@@ -6,7 +6,6 @@ import json
 import math
 import os
 import shutil
-import time
 import unittest
 
 import rosbag
@@ -14,15 +13,11 @@ import rosnode
 import rospy
 import rostest
 
-from origami_client import Origami
+from origami_client import Origami, wait_until
 
 
 def wait_for(path):
-    deadline = time.time() + 20
-    while not os.path.exists(path):
-        if time.time() > deadline:
-            raise AssertionError('no ' + path)
-        time.sleep(0.1)
+    wait_until(lambda: os.path.exists(path), path + ' is there')
 
 
 class RecipeTest(unittest.TestCase):

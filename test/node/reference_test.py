@@ -9,7 +9,6 @@ import os
 import re
 import signal
 import subprocess
-import time
 import unittest
 
 import roslib.packages
@@ -23,7 +22,7 @@ from dynamic_reconfigure.msg import ConfigDescription
 from visualization_msgs.msg import MarkerArray
 
 import reference
-from origami_client import Origami, Recorder
+from origami_client import Origami, Recorder, wait_until
 from shell_origami.msg import SheetState
 
 TABLES = reference.tables()
@@ -151,16 +150,14 @@ class ReferenceTest(unittest.TestCase):
         of_origami = topics_of('Topics of origami_node') | topics_of_actions() | set(LIVE)
         wanted = {'/origami': of_origami - {clock}, '/markers': topics_of('origami_markers'),
                   '/hand': topics_of('hand')}
-        deadline = time.time() + 10
-        while True:  # a wrench and a hand come a little later
+
+        def differences():
             found = Master()
-            topics = {node: found.topics(node) for node in wanted}
-            if topics == wanted or time.time() > deadline:
-                break
-            time.sleep(0.1)
-        for node in wanted:
-            self.assertEqual(topics[node], wanted[node], node)
-        self.assertIn(clock, found.topics('/leader'))
+            return {node: found.topics(node) ^ wanted[node] for node in wanted
+                    if found.topics(node) != wanted[node]}
+        # A wrench and a hand come a little later.
+        wait_until(lambda: not differences(), lambda: 'topics as documented, but for %s' % differences())
+        self.assertIn(clock, Master().topics('/leader'))
 
     def test_services(self):
         wanted = {(reference.names(row['service'])[0], full(reference.names(row['type'])[0]))

@@ -201,7 +201,7 @@ class ServicesTest(NodeTest):
         end = self.origami.do('step', steps=1).time
         self.assertGreater(end - start, 30 * STEP)
         self.assertLess(end - start, time.time() - began + 2 * STEP, 'faster than real time')
-        rospy.sleep(0.3)  # in which no time passes
+        self.origami.stand_still()
         self.assertAlmostEqual(self.origami.do('step', steps=1).time, end + STEP, delta=1e-9)
 
     def test_reset_gives_the_paper_as_it_was(self):

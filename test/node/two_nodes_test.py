@@ -4,7 +4,6 @@ gripper."""
 
 import os
 import subprocess
-import time
 import unittest
 
 import rosbag
@@ -16,21 +15,13 @@ import tf2_ros
 from geometry_msgs.msg import Point32, Polygon
 
 from moving_frame import MovingFrame
-from origami_client import Origami
+from origami_client import Origami, wait_until
 from own_node import program
 
 SIDE = 0.15
 EDGE = Polygon([Point32(SIDE - 0.001, 0, 0), Point32(SIDE, 0, 0), Point32(SIDE, SIDE, 0),
                 Point32(SIDE - 0.001, SIDE, 0)])
 NAMES = ('left', 'right')
-
-
-def wait_until(holds, what, timeout=20):
-    deadline = time.time() + timeout
-    while not holds():
-        if time.time() > deadline:
-            raise AssertionError('within %g s never: %s' % (timeout, what))
-        time.sleep(0.02)
 
 
 def connected(topic, way):

@@ -15,7 +15,7 @@ from shell_origami.msg import FoldRecipeActionGoal, View
 from visualization_msgs.msg import Marker, MarkerArray
 
 from moving_frame import MovingFrame
-from origami_client import NodeTest, Origami, Recorder, line
+from origami_client import NodeTest, Origami, Recorder, line, wait_until
 from own_node import OwnNode
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -55,8 +55,7 @@ class ViewTest(NodeTest):
     def send_goal(self, yaml):
         goal = FoldRecipeActionGoal()
         goal.goal.yaml = yaml
-        while not self.goals.get_num_connections():
-            rospy.sleep(0.05)
+        wait_until(self.goals.get_num_connections, 'the node hears goals')
         self.goals.publish(goal)
 
     def begin(self, name, **parameters):
