@@ -5,7 +5,7 @@ import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from dynamic_reconfigure.client import Client
-from geometry_msgs.msg import Point
+from geometry_msgs.msg import Point, Point32, Polygon
 
 from origami_client import NodeTest, Origami, Recorder, line
 from shell_origami.srv import Step
@@ -72,10 +72,25 @@ class DiagnosticsTest(NodeTest):
         self.addCleanup(live.update_configuration, {'gravity_y': 0})
         live.update_configuration({'gravity_y': -1000})
         self.origami.do('step', steps=60)
-        paper = self.told('origami: paper', WARN)
+        paper = self.told('origami: paper', WARN, since=len(self.heard.all()))
         self.assertGreater(float(values(paper)['max_strain']), 0.02)
         self.assertGreater(float(values(paper)['strain_energy']), 0)
         self.assertIn('stretched', paper.message)
+
+    def test_paper_that_is_not_as_it_was_asked_for(self):
+        for x0, x1 in (0, 0.06), (0.09, SIDE):  # the crease between them cannot fold
+            self.origami.do('pin', region=Polygon([Point32(x0, 0, 0), Point32(x1, 0, 0),
+                                                   Point32(x1, SIDE, 0), Point32(x0, SIDE, 0)]))
+        self.origami.do('fold', line=line(0.075, 0, 0.075, SIDE), angle=1, duration=0)
+        self.origami.do('step', steps=120)
+        paper = self.told('origami: paper', WARN, since=len(self.heard.all()))
+        self.assertIn('1 crease has missed the target angle', paper.message)
+        self.assertEqual(values(paper)['missed'], '1')
+        # The same paper is asked for something else.
+        self.origami.do('fold', line=line(0.075, 0, 0.075, SIDE), angle=0, duration=0)
+        self.origami.do('step', steps=120)
+        paper = self.told('origami: paper', OK, since=len(self.heard.all()))
+        self.assertEqual(values(paper)['missed'], '0')
 
     def test_a_node_that_cannot_go_on_says_why(self):
         step = rospy.ServiceProxy('/stuck/step', Step)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 namespace shell_origami {
 namespace {
@@ -79,8 +80,7 @@ void Diagnostics::paper(Status& status) {
   const double strain = simulation.maxStrain();
   const bool overstretched = strain > kBearableStrain && !simulation.soft();
   warnOfStrain(strain, overstretched);
-  const bool settled = simulation.settled();
-  const std::string shortfalls = settled ? shortfallText(simulation) : "";
+  const Outcome& outcome = this->outcome();
   if (overstretched) {
     status.summaryf(DiagnosticStatus::WARN, "stretched by %.1f %%, further than paper bears",
                     100 * strain);
@@ -88,19 +88,34 @@ void Diagnostics::paper(Status& status) {
     status.summaryf(DiagnosticStatus::WARN,
                     "frame %s is held up: vertex %d meets the paper at vertex %d",
                     blocked->frame.c_str(), blocked->vertex, blocked->by);
-  } else if (!shortfalls.empty()) {
-    status.summary(DiagnosticStatus::WARN, shortfalls);
+  } else if (!outcome.shortfalls.empty()) {
+    status.summary(DiagnosticStatus::WARN, outcome.shortfalls);
   } else {
-    status.summary(DiagnosticStatus::OK, settled ? "settled" : "moving");
+    status.summary(DiagnosticStatus::OK, outcome.settled ? "settled" : "moving");
   }
   status.add("triangles", simulation.sheet().triangles().size());
   status.add("vertices", simulation.sheet().vertexCount());
   status.add("max_strain", strain);
-  status.add("settled", settled);
-  status.add("missed", missedCreases(simulation).size());
+  status.add("settled", outcome.settled);
+  status.add("missed", outcome.missed);
   status.add("strain_energy", energies.strain());
   status.add("kinetic_energy", energies.kinetic);
   status.add("contacts", simulation.contacts().size());
+}
+
+/// Computed again only where the paper has changed: most papers lie still most of the time.
+const Diagnostics::Outcome& Diagnostics::outcome() {
+  const std::uint64_t edits = origami_.session().edits();
+  const Simulation& simulation = origami_.session().simulation();
+  const bool settled = simulation.settled();
+  // Vertices become more by edits alone.
+  if (!outcome_ || outcome_->edits != edits || outcome_->settled != settled ||
+      outcome_->positions != simulation.positions()) {
+    const std::vector<MissedCrease> missed = missedCreases(simulation);
+    outcome_ = {edits, simulation.positions(), settled, missed.size(),
+                settled ? shortfallText(shortfalls(simulation, missed)) : ""};
+  }
+  return *outcome_;
 }
 
 /// Once, and again only after the paper was relieved.

@@ -106,7 +106,7 @@ msg::FoldRecipeResult RecipeAction::result() {
   msg::FoldRecipeResult result;
   result.max_strain = simulation.maxStrain();
   result.creases = creaseStates(simulation);
-  result.missed = asMessageText(shortfallText(simulation));
+  result.missed = asMessageText(shortfallText(shortfalls(simulation)));
   return result;
 }
 

@@ -186,17 +186,21 @@ std::string crossingSentence(const Simulation& simulation) {
   return text.str();
 }
 
-std::vector<std::string> shortfalls(const Simulation& simulation) {
-  std::vector<std::string> sentences{missedSentence(missedCreases(simulation)),
-                                     bentSentence(simulation), stretchedSentence(simulation),
-                                     crossingSentence(simulation)};
+std::vector<std::string> shortfalls(const Simulation& simulation,
+                                    const std::vector<MissedCrease>& missed) {
+  std::vector<std::string> sentences{missedSentence(missed), bentSentence(simulation),
+                                     stretchedSentence(simulation), crossingSentence(simulation)};
   sentences.erase(std::remove(sentences.begin(), sentences.end(), ""), sentences.end());
   return sentences;
 }
 
-std::string shortfallText(const Simulation& simulation) {
+std::vector<std::string> shortfalls(const Simulation& simulation) {
+  return shortfalls(simulation, missedCreases(simulation));
+}
+
+std::string shortfallText(const std::vector<std::string>& sentences) {
   std::string text;
-  for (const std::string& sentence : shortfalls(simulation)) {
+  for (const std::string& sentence : sentences) {
     text += (text.empty() ? "" : "; ") + sentence;
   }
   return text;

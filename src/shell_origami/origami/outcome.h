@@ -43,9 +43,12 @@ std::string crossingSentence(const Simulation& simulation);
 
 /// All that the paper, once it has settled, is not as it was asked for: the sentences above that
 /// are not empty.
+/// \param missed  missedCreases() of the simulation
+std::vector<std::string> shortfalls(const Simulation& simulation,
+                                    const std::vector<MissedCrease>& missed);
 std::vector<std::string> shortfalls(const Simulation& simulation);
 
-/// The same in one text.
-std::string shortfallText(const Simulation& simulation);
+/// Returns the sentences of shortfalls() in one text.
+std::string shortfallText(const std::vector<std::string>& sentences);
 
 }  // namespace shell_origami
