@@ -62,9 +62,9 @@ struct Drawn {
     return {};
   }
 
-  visualization_msgs::MarkerArray draw(const LabelChoice& labels = {},
+  visualization_msgs::MarkerArray draw(const MarkerOptions& options = {},
                                        Coloring colouring = Coloring::kPaper) const {
-    MarkerPainter painter(labels, colouring);
+    MarkerPainter painter(options, colouring);
     painter.setSheet(sheet);
     return painter.draw(state);
   }

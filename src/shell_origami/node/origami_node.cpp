@@ -83,9 +83,9 @@ void OrigamiNode::startWatched() {
 
 void OrigamiNode::configure(const NodeConfig& config) {
   config_.publish_rate = config.publish_rate;
-  config_.labels = config.labels;
+  config_.markers = config.markers;
   config_.real_time_factor = config.real_time_factor;
-  publishers_.choose(config.labels);
+  publishers_.choose(config.markers);
   clock_->setFactor(config.real_time_factor, run_.session.time());
   changed_ = true;
 }

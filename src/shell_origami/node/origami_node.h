@@ -35,7 +35,7 @@ class OrigamiNode : private SessionListener {
   const Session& session() const { return run_.session; }
   /// Session::apply(), published on ~edits.
   EditRecord apply(const Edit& edit) { return run_.session.apply(edit); }
-  /// Takes over what may change while the node runs: publish_rate, labels, real_time_factor.
+  /// Takes over what may change while the node runs: publish_rate, markers, real_time_factor.
   void configure(const NodeConfig& config);
   /// Of the paper as it is now. Zero: there is no ROS time yet.
   ros::Time stamp();

@@ -25,8 +25,8 @@ std::function<Place(NodeConfig&)> at(Value NodeConfig::*member) {
   return [member](NodeConfig& config) { return Place(&(config.*member)); };
 }
 
-std::function<Place(NodeConfig&)> label(bool LabelChoice::*member) {
-  return [member](NodeConfig& config) { return Place(&(config.labels.*member)); };
+std::function<Place(NodeConfig&)> option(bool MarkerOptions::*member) {
+  return [member](NodeConfig& config) { return Place(&(config.markers.*member)); };
 }
 
 Place coloring(NodeConfig& config) { return Choice(coloringNames(), config.colouring); }
@@ -65,11 +65,11 @@ ParameterTable<NodeConfig> makeTable() {
        {"world_frame", at(&Config::world_frame), "frame of the positions", "", kUnbounded},
        {"frame_prefix", at(&Config::frame_prefix),
         "with which the names of `paper` and `panel_<n>` begin", "", kUnbounded},
-       {"vertex_ids", label(&LabelChoice::vertex_ids),
+       {"vertex_ids", option(&MarkerOptions::vertex_ids),
         "whether `~markers` shows the vertices' numbers", "", kUnbounded, kLive},
-       {"crease_labels", label(&LabelChoice::crease_labels),
+       {"crease_labels", option(&MarkerOptions::crease_labels),
         "whether `~markers` shows the creases' names and angles", "", kUnbounded, kLive},
-       {"contact_points", label(&LabelChoice::contact_points),
+       {"contact_points", option(&MarkerOptions::contact_points),
         "whether `~markers` shows where layers push each other apart", "", kUnbounded, kLive},
        {"colouring", coloring, "what the colors of `~markers` tell", "", kUnbounded},
        {"clock", clock, "how simulated time runs", "", kUnbounded},

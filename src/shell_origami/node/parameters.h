@@ -32,7 +32,7 @@ struct NodeConfig {
   bool watch_master = false;       ///< whether to register again with a master that is restarted
   std::string world_frame = "world";
   std::string frame_prefix;  ///< with which the names of the paper's own frames begin
-  LabelChoice labels;        ///< what the markers show on demand
+  MarkerOptions markers;     ///< what the markers show on demand
   Coloring colouring = Coloring::kPaper;
   ClockMode clock = ClockMode::kFollow;
   double real_time_factor = 1;  ///< simulated over elapsed time, lead only; 0: as fast as it can

@@ -19,7 +19,7 @@ Publishers::Publishers(ros::NodeHandle& node, const NodeConfig& config,
       sheet_(node.advertise<msg::Sheet>("sheet", 10, true)),
       state_(node.advertise<msg::SheetState>("state", 100)),
       energy_(node.advertise<msg::Energy>("energy", 100)),
-      markers_(node, {config.labels, config.colouring}),
+      markers_(node, {config.markers, config.colouring}),
       view_(node.advertise<msg::View>("view", 1, true)),
       node_(node) {
   const auto send_paper = [whole_paper](const ros::SingleSubscriberPublisher& subscriber) {

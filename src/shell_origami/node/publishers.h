@@ -31,7 +31,7 @@ class Publishers {
   void publishEdit(msg::Edit edit, const ros::Time& stamp);
   bool editsHeard() const { return edit_.getNumSubscribers() > 0; }
 
-  void choose(const LabelChoice& labels) { markers_.choose(labels); }
+  void choose(const MarkerOptions& options) { markers_.choose(options); }
 
   /// Where a camera is to stand that looks at the paper. Returns false where it stands there.
   bool publishView(const View& view, const ros::Time& stamp);

@@ -39,7 +39,7 @@ constexpr const char* kUsage =
     "or\n"
     "paper is stretched or passes through itself.\n";
 
-constexpr int kNothingWritten = 1, kEndedEarly = 2, kMissed = 3;
+constexpr int kNothingWritten = 1, kEndedEarly = 2, kFellShort = 3;
 
 struct Options {
   std::string recipe;  // or a pattern, where width > 0
@@ -188,7 +188,7 @@ int fold(const Options& options) {
     const std::vector<std::string> sentences = shortfalls(simulation);
     for (const std::string& sentence : sentences)
       std::cerr << "origami_batch: " << sentence << "\n";
-    return sentences.empty() ? 0 : kMissed;
+    return sentences.empty() ? 0 : kFellShort;
   }
   const std::string crossing = crossingSentence(simulation);
   if (!crossing.empty()) std::cerr << "origami_batch: " << crossing << "\n";

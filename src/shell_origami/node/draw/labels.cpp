@@ -79,13 +79,13 @@ void Labels::draw(const msg::Sheet& sheet, const msg::SheetState& state, const P
   std_msgs::Header header = state.header;
   header.seq = 0;
   const auto vertices = static_cast<std::size_t>(points.cols());
-  addTexts("vertex_ids", choice_.vertex_ids ? vertices : 0, vertices_, kVertexId * size, header,
+  addTexts("vertex_ids", options_.vertex_ids ? vertices : 0, vertices_, kVertexId * size, header,
            array, [&](std::size_t i, Marker& marker) {
              const auto v = static_cast<Eigen::Index>(i);
              marker.pose.position = markerPoint(points.col(v) + kVertexId * size * normals.col(v));
              marker.text = std::to_string(i);
            });
-  addTexts("crease_labels", choice_.crease_labels ? sheet.creases.size() : 0, creases_,
+  addTexts("crease_labels", options_.crease_labels ? sheet.creases.size() : 0, creases_,
            kCreaseLabel * size, header, array, [&](std::size_t i, Marker& marker) {
              const msg::Crease& crease = sheet.creases[i];
              const double angle = state.creases[i].angle;

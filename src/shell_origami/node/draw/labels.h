@@ -13,7 +13,7 @@
 namespace shell_origami {
 
 /// What is drawn on demand.
-struct LabelChoice {
+struct MarkerOptions {
   bool vertex_ids = false;      ///< the number of each vertex
   bool crease_labels = false;   ///< name and angle of each crease
   bool contact_points = false;  ///< where layers push each other apart
@@ -22,10 +22,10 @@ struct LabelChoice {
 /// Writes, and deletes what is not to be seen any longer.
 class Labels {
  public:
-  explicit Labels(const LabelChoice& choice) : choice_(choice) {}
+  explicit Labels(const MarkerOptions& options) : options_(options) {}
 
-  void choose(const LabelChoice& choice) { choice_ = choice; }
-  const LabelChoice& choice() const { return choice_; }
+  void choose(const MarkerOptions& options) { options_ = options; }
+  const MarkerOptions& options() const { return options_; }
 
   /// Appends the numbers of vertices, the names and angles of creases, and a warning if the paper,
   /// unless it is soft, is stretched further than paper bears.
@@ -35,7 +35,7 @@ class Labels {
             const Eigen::Matrix3Xd& normals, double size, visualization_msgs::MarkerArray& array);
 
  private:
-  LabelChoice choice_;
+  MarkerOptions options_;
   std::size_t vertices_ = 0;  ///< how many have a number in rviz
   std::size_t creases_ = 0;   ///< how many have a label in rviz
 };

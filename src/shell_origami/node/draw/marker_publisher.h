@@ -21,7 +21,7 @@ class MarkerPublisher {
 
   /// The next drawing is sent, whether it differs or not.
   void setSheet(const msg::Sheet& sheet);
-  void choose(const LabelChoice& labels) { painter_.choose(labels); }
+  void choose(const MarkerOptions& options) { painter_.choose(options); }
   const MarkerPainter& painter() const { return painter_; }
   bool heard() const { return markers_.getNumSubscribers() > 0; }
   /// When the last of those who listen began to; zero: nobody listens.

@@ -22,10 +22,10 @@ class MarkerPainter {
   /// Of a contact point that has the strongest colour [N].
   static constexpr double kFullForce = 5e-3;
 
-  MarkerPainter(const LabelChoice& labels, Coloring colouring)
-      : labels_(labels), colours_(colouring) {}
+  MarkerPainter(const MarkerOptions& options, Coloring colouring)
+      : labels_(options), colours_(colouring) {}
 
-  void choose(const LabelChoice& labels) { labels_.choose(labels); }
+  void choose(const MarkerOptions& options) { labels_.choose(options); }
   /// A sheet that names vertices it does not have is taken for none.
   void setSheet(const msg::Sheet& sheet);
   /// Whether the state belongs to the sheet that was set.
@@ -34,7 +34,7 @@ class MarkerPainter {
   double size() const { return size_; }
   /// Whether it draws what states hold on demand only.
   bool showsPressures() const { return colours_.coloring() == Coloring::kContact; }
-  bool showsContactPoints() const { return labels_.choice().contact_points; }
+  bool showsContactPoints() const { return labels_.options().contact_points; }
   /// \pre fits(state)
   visualization_msgs::MarkerArray draw(const msg::SheetState& state);
 

@@ -10,7 +10,7 @@ namespace {
 
 struct Parameters {
   std::string origami = "origami";  ///< the node that was recorded
-  shell_origami::LabelChoice labels;
+  shell_origami::MarkerOptions markers;
   shell_origami::Coloring colouring = shell_origami::Coloring::kPaper;
 };
 
@@ -19,9 +19,9 @@ Parameters loadParameters(const ros::NodeHandle& node) {
   shell_origami::ParameterReader reader(node);
   Parameters parameters;
   reader.read("origami", &parameters.origami);
-  reader.read("vertex_ids", &parameters.labels.vertex_ids);
-  reader.read("crease_labels", &parameters.labels.crease_labels);
-  reader.read("contact_points", &parameters.labels.contact_points);
+  reader.read("vertex_ids", &parameters.markers.vertex_ids);
+  reader.read("crease_labels", &parameters.markers.crease_labels);
+  reader.read("contact_points", &parameters.markers.contact_points);
   reader.read("colouring",
               shell_origami::Choice(shell_origami::coloringNames(), parameters.colouring));
   reader.rejectUnread();
@@ -32,7 +32,7 @@ class MarkersNode {
  public:
   explicit MarkersNode(const Parameters& parameters)
       : recorded_(parameters.origami),
-        markers_(recorded_, {parameters.labels, parameters.colouring}),
+        markers_(recorded_, {parameters.markers, parameters.colouring}),
         sheet_(recorded_.subscribe("sheet", 10, &MarkersNode::onSheet, this)),
         state_(recorded_.subscribe("state", 10, &MarkersNode::onState, this)) {}
 
