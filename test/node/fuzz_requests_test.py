@@ -11,7 +11,7 @@ import tempfile
 import rospy
 import rostest
 import tf2_ros
-from actionlib_msgs.msg import GoalID
+from actionlib_msgs.msg import GoalID, GoalStatus
 from dynamic_reconfigure.srv import Reconfigure
 from geometry_msgs.msg import PointStamped, TransformStamped
 
@@ -110,12 +110,14 @@ class FuzzRequestsTest(NodeTest):
         return after
 
     def wait_for_answer(self, goal):
-        """Whether the goal was accepted. Goals that are not end at once."""
-        def among(messages):
-            return any(m.status.goal_id.id == goal for m in messages)
-        wait_until(lambda: among(self.feedback.all()) or among(self.results.all()),
+        """Whether the goal was accepted. One that ends at once may be heard to end before it is heard
+        to begin."""
+        def of_goal(messages):
+            return [m.status for m in messages if m.status.goal_id.id == goal]
+        wait_until(lambda: of_goal(self.feedback.all()) or of_goal(self.results.all()),
                    'the goal is answered', period=0.002)
-        return among(self.feedback.all())
+        return not any(status.status in (GoalStatus.REJECTED, GoalStatus.RECALLED)
+                       for status in of_goal(self.results.all()))
 
     def ask_cancel(self, before):
         stamp = rospy.Time(self.random.random.choice([0, 0, 1, 2 ** 32 - 1]), 0)
