@@ -20,5 +20,6 @@ void verifyCone(VerificationReport& report);          ///< item 10
 void verifyFlatFolded(VerificationReport& report);    ///< item 11
 void verifyIntegrators(VerificationReport& report);   ///< item 12, of our own
 void verifyChoices(VerificationReport& report);       ///< items 13 and 14
+void verifyContact(VerificationReport& report);       ///< item 15
 
 }  // namespace shell_origami

@@ -237,7 +237,9 @@ NewtonResult Newton::minimize(const Potentials& potentials, const Eigen::VectorX
     }
     if (fell) objective_.accept(x, step_);
     const bool found = fell || backtrack(uphill);
-    result.converged = close && (fell || !uphill);
+    // Where forces may jump, as where paper touches, the last solve tells nothing of this one.
+    const bool known = result.last_step <= tolerance || !objective_.rough();
+    result.converged = close && known && (fell || !uphill);
     if (found) x.swap(trial_);
     else x = base_.x;
     if (!found && !result.converged) {
@@ -246,7 +248,7 @@ NewtonResult Newton::minimize(const Potentials& potentials, const Eigen::VectorX
     }
     uphill = false;
   }
-  // Where the factor had to be renewed, paper snaps or buckles: the next solve is another one.
+  // Where the factor had to be renewed, paper snaps, buckles or touches: the next solve is another.
   if (result.factorizations > 1) state_ = {};
   if (const auto jump = objective_.findJump()) {
     result.converged = false;
