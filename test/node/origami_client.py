@@ -22,7 +22,7 @@ if not hasattr(threading.Thread, 'isAlive'):
 SERVICES = {
     'fold': srv.Fold, 'pin': srv.Pin, 'unpin': srv.Unpin, 'add_vertex': srv.AddVertex,
     'load': srv.Load, 'save': srv.Save, 'step': srv.Step,
-    'settle': Trigger, 'pause': Trigger, 'resume': Trigger, 'reset': Trigger,
+    'settle': Trigger, 'pause': Trigger, 'resume': Trigger, 'reset': Trigger, 'undo': srv.Undo,
 }
 
 

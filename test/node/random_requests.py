@@ -17,7 +17,7 @@ TEXTS = ['', ' ', '/', '.', '..', '~', 'world', 'paper', 'panel_0', '9 lives', '
 IDS = [0, 1, 5, 1000, 2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1]
 HUGE = 100000
 MOST_VERTICES = 300  # a paper with more creases than that takes its time
-SERVICES = ['fold', 'pin', 'unpin', 'add_vertex', 'load', 'save', 'step', 'settle', 'reset']
+SERVICES = ['fold', 'pin', 'unpin', 'add_vertex', 'load', 'save', 'step', 'undo', 'settle', 'reset']
 RECIPE = ('steps:\n  - pin: {points: [[0, 0]]}\n'
           '  - fold: [{line: [[0.05, 0], [0.05, 0.05]], angle_deg: 60, name: middle}]\n'
           '    duration: 0.3\n  - settle: {timeout: 1}\n  - unpin: all\n')
@@ -94,6 +94,7 @@ class RandomRequests(object):
             'load': lambda: dict(path=self.path()),
             'save': lambda: dict(path=self.path()),
             'step': lambda: dict(steps=r.choice([0, 100001, 2 ** 32 - 1])),
+            'undo': lambda: dict(edits=r.choice([1000, 2 ** 32 - 1])),
         }.get(service, dict)()
         return {name: value for name, value in fields.items() if r.random() < 0.5}
 
@@ -132,6 +133,7 @@ class RandomRequests(object):
             'load': lambda: dict(path=r.choice(self.papers)),
             'save': lambda: dict(path=r.choice(self.papers[1:])),
             'step': lambda: dict(steps=r.randrange(1, 12)),
+            'undo': lambda: dict(edits=r.randrange(4)),
         }.get(service, dict)()
 
     def service(self, sheet):
@@ -142,7 +144,7 @@ class RandomRequests(object):
         if r.random() < 0.4:
             service = r.choice(SERVICES[:-2])
             return service, self.wild_fields(service)
-        service = r.choices(SERVICES, weights=[30, 8, 8, 6, 1, 3, 40, 4, 1])[0]
+        service = r.choices(SERVICES, weights=[30, 8, 8, 6, 1, 3, 40, 3, 4, 1])[0]
         return service, self.sensible_fields(service, sheet)
 
     # What comes by topics.

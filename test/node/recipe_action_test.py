@@ -7,16 +7,14 @@ import shutil
 import signal
 import subprocess
 import tempfile
-import threading
 
-import actionlib
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 
-from origami_client import NodeTest, Recorder, line, wait_until
-from shell_origami.msg import (FoldRecipeAction, FoldRecipeActionFeedback, FoldRecipeActionResult,
-                               FoldRecipeGoal)
+from origami_client import NodeTest, Recorder, line
+from recipe_goal import Goal, connect
+from shell_origami.msg import FoldRecipeActionFeedback, FoldRecipeActionResult
 
 TERMINAL = {GoalStatus.PREEMPTED, GoalStatus.SUCCEEDED, GoalStatus.ABORTED, GoalStatus.REJECTED,
             GoalStatus.RECALLED, GoalStatus.LOST}
@@ -72,39 +70,6 @@ REJECTIONS = [
 ]
 
 
-class Goal(object):
-    """A goal that was sent, and all that came back."""
-
-    def __init__(self, client, **fields):
-        self.feedback = []
-        self.ended = threading.Event()
-        self.handle = client.send_goal(FoldRecipeGoal(**fields), self._changed, self._progress)
-
-    def _changed(self, handle):
-        if handle.get_comm_state() == actionlib.CommState.DONE:
-            self.ended.set()
-
-    def _progress(self, _, feedback):
-        self.feedback.append(feedback)
-
-    def wait(self, timeout=20):
-        if not self.ended.wait(timeout):
-            raise AssertionError('the goal does not end')
-        return self.handle.get_goal_status(), self.handle.get_goal_status_text()
-
-    def starts(self):
-        """Whether it does, and does not end before."""
-        wait_until(lambda: self.feedback or self.ended.is_set(), 'the goal starts or ends')
-        return not self.ended.is_set()
-
-    def wait_for_progress(self, progress):
-        wait_until(lambda: any(feedback.progress >= progress for feedback in self.feedback),
-                   'progress of %g' % progress)
-
-    def id(self):
-        return self.handle.comm_state_machine.action_goal.goal_id.id
-
-
 class RecipeActionTest(NodeTest):
     @classmethod
     def setUpClass(cls):
@@ -112,8 +77,7 @@ class RecipeActionTest(NodeTest):
         cls.results = Recorder('/origami/fold_recipe/result', FoldRecipeActionResult)
         cls.feedback = Recorder('/origami/fold_recipe/feedback', FoldRecipeActionFeedback)
         cls.statuses = Recorder('/origami/fold_recipe/status', GoalStatusArray)
-        cls.client = actionlib.ActionClient('/origami/fold_recipe', FoldRecipeAction)
-        cls.client.wait_for_server()
+        cls.client = connect()
         cls.statuses.wait()
 
     @classmethod

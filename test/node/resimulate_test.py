@@ -77,6 +77,8 @@ class ResimulateTest(NodeTest):
         self.origami.do('settle')
         self.origami.do('add_vertex', edge=self.a_border_edge(), fraction=0.3)
         self.origami.do('step', steps=5)
+        self.origami.do('undo', edits=2)
+        self.origami.do('step', steps=5)
         self.origami.do('unpin')
         live.update_configuration({'gravity_z': 0.0})
         self.origami.do('reset')
@@ -96,7 +98,7 @@ class ResimulateTest(NodeTest):
             kinds = {m.kind for _, m, _ in bag.read_messages(['/origami/edits'])}
             states = sum(1 for _ in bag.read_messages(['/origami/state']))
         self.assertEqual(kinds, {'paper', 'pin', 'carry', 'configure', 'fold', 'settle',
-                                 'add_vertex', 'unpin', 'reset'})
+                                 'add_vertex', 'undo', 'unpin', 'reset'})
         answer = resimulate(self.bag)
         self.assertEqual(answer.returncode, 0, answer.stdout)
         self.assertIn('the same to the bit', answer.stdout)

@@ -56,6 +56,14 @@ TEST(Simulation, InterruptedRampGoesOnFromWhereItIs) {
   EXPECT_DOUBLE_EQ(simulation.creases()[0].rest_angle, halfway);
 }
 
+// Before its first step it was told as settled, whatever its forces.
+TEST(Simulation, StrainedPaperOfAFileHasNotSettled) {
+  Simulation flat = square();
+  EXPECT_TRUE(flat.settled());
+  const Simulation stretched(flat.sheet(), {}, 1.001 * flat.positions(), {});
+  EXPECT_FALSE(stretched.settled());
+}
+
 TEST(Simulation, AStoppedFoldEndsWhereItIs) {
   Simulation simulation = square();
   const EditRecord fold = simulation.fold(diagonal(120 * kDegree));

@@ -40,6 +40,15 @@ SolverTimes& SolverTimes::operator+=(const SolverTimes& other) {
   return *this;
 }
 
+SolverTimes& SolverTimes::operator-=(const SolverTimes& other) {
+  symbolic -= other.symbolic;
+  assembly -= other.assembly;
+  numeric -= other.numeric;
+  solve -= other.solve;
+  search -= other.search;
+  return *this;
+}
+
 void Newton::setFree(const std::vector<bool>& free) {
   free_ = free;
   system_.setFree(free);

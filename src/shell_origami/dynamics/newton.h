@@ -21,6 +21,7 @@ struct SolverTimes {
 
   double total() const { return symbolic + assembly + numeric + solve + search; }
   SolverTimes& operator+=(const SolverTimes& other);
+  SolverTimes& operator-=(const SolverTimes& other);
 };
 
 /// State of the solver that one step passes on to the next. It is reset after events across which

@@ -61,11 +61,6 @@ OrigamiConfig configOf(const Values& values) {
   return config;
 }
 
-bool same(const LiveConfig& a, const SimulationConfig& b) {
-  return a.gravity == b.gravity && a.air_damping == b.material.air_damping &&
-         a.fold_duration == b.fold_duration;
-}
-
 /// What a former run left on the master is none of this one's.
 ros::NodeHandle cleared(const ros::NodeHandle& node) {
   node.deleteParam("live");
@@ -135,9 +130,9 @@ void LiveParameters::change(OrigamiConfig& config) {
 /// \throws std::invalid_argument and then has changed nothing.
 void LiveParameters::apply(const NodeConfig& wanted) {
   checkParameters(wanted);
-  const SimulationConfig& paper = wanted.simulation;
-  const LiveConfig live{paper.gravity, paper.material.air_damping, paper.fold_duration};
-  if (!same(live, origami_.session().simulation().config())) origami_.apply(ConfigureEdit{live});
+  const LiveConfig live = liveConfigOf(wanted.simulation);
+  const LiveConfig now = liveConfigOf(origami_.session().simulation().config());
+  if (!(live == now)) origami_.apply(ConfigureEdit{live});
   origami_.configure(wanted);
 }
 

@@ -26,6 +26,7 @@
 #include <shell_origami/Sheet.h>
 #include <shell_origami/SheetState.h>
 #include <shell_origami/Step.h>
+#include <shell_origami/Undo.h>
 #include <shell_origami/Unpin.h>
 #include <shell_origami/View.h>
 #undef View
@@ -56,6 +57,7 @@ using ::shell_origami::Load;
 using ::shell_origami::Pin;
 using ::shell_origami::Save;
 using ::shell_origami::Step;
+using ::shell_origami::Undo;
 using ::shell_origami::Unpin;
 
 }  // namespace msg

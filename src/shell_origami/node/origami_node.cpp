@@ -34,6 +34,7 @@ OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
       start_wait_(config),
       waiting_(start_wait_.wanted() && !run_.paused) {
   run_.session.setListener(this);
+  run_.session.setUndoMemory(static_cast<std::size_t>(config.undo_memory * 1e6));
   run_.paused = run_.paused || waiting_;
   const Sheet& sheet = run_.session.simulation().sheet();
   ROS_INFO("a sheet of %d vertices and %zu triangles is ready%s", sheet.vertexCount(),
@@ -262,7 +263,14 @@ void OrigamiNode::reset() {
   run_.session.reset();
 }
 
+std::uint64_t OrigamiNode::undo(std::uint32_t count) {
+  const std::uint64_t edit = run_.session.undo(count);
+  requests_.end("edits are undone");
+  return edit;
+}
+
 void OrigamiNode::onEdit(const EditRecord& record) {
+  if (run_.recipe && countsForUndo(record.edit)) run_.recipe->remember(record.number);
   if (LongSettle* settling = requests_.settling()) settling->outdate();
   publishers_.publishEdit(editMessage(record), stamp());
   changed_ = true;
@@ -279,6 +287,16 @@ void OrigamiNode::onReset() {
   step_ = {};
   publishers_.lookAnew();
   publishPaper(msg::Edit::RESET);
+}
+
+void OrigamiNode::onUndo(std::uint64_t edit) {
+  if (run_.recipe && !run_.recipe->goBack(edit)) {
+    endRecipe("the edits before it are undone");
+  }
+  requests_.endRecipeSettle();
+  step_ = {};
+  publishers_.lookAnew();
+  publishPaper(msg::Edit::UNDO);
 }
 
 void OrigamiNode::publishPaper(const std::string& kind, const std::string& path) {

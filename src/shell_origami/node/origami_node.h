@@ -67,6 +67,9 @@ class OrigamiNode : private SessionListener {
   std::future<msg::Load::Response> load(const std::string& path, double scale);
   /// The paper as it was loaded. Abandons the recipe that runs.
   void reset();
+  /// Session::undo(). The recipe that runs goes back with the paper; where it had not begun then,
+  /// it is abandoned.
+  std::uint64_t undo(std::uint32_t count);
 
   /// The recipe under way; null where there is none.
   RecipeRun* recipe() { return run_.recipe ? &*run_.recipe : nullptr; }
@@ -84,6 +87,7 @@ class OrigamiNode : private SessionListener {
   void onEdit(const EditRecord& record) override;
   void onLoad(const std::string& path) override;
   void onReset() override;
+  void onUndo(std::uint64_t edit) override;
   void publishPaper(const std::string& kind, const std::string& path = "");
   msg::Edit wholePaper();
   void keepCheckpoint(bool now = false);

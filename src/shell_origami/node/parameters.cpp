@@ -55,6 +55,8 @@ ParameterTable<NodeConfig> makeTable() {
         kUnbounded},
        {"checkpoint/period", at(&Config::checkpoint_period),
         "of elapsed time, from one checkpoint to the next", "s", between(0.1, 1e6)},
+       {"undo_memory", at(&Config::undo_memory),
+        "for the papers before edits, to undo these; 0: none can be undone", "MB", between(0, 1e6)},
        {"publish_rate", at(&Config::publish_rate), "in ROS time, at most once a step", "Hz",
         between(0.01, 1000), kLive},
        // diagnostic_updater reads the parameter of this name as well.

@@ -28,6 +28,7 @@ struct NodeConfig {
   double publish_rate = 30;        ///< [Hz]
   std::string checkpoint;          ///< file to go on from and to keep; empty: none
   double checkpoint_period = 10;   ///< [s] of wall time
+  double undo_memory = 100;        ///< for the papers before edits that can be undone [MB]
   double diagnostic_period = 1;    ///< [s] of wall time
   bool watch_master = false;       ///< whether to register again with a master that is restarted
   std::string world_frame = "world";

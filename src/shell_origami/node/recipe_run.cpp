@@ -16,8 +16,8 @@ RecipeRun::RecipeRun(Recipe recipe, std::string output, Listener listener)
 RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
     : runner_(readRecipe({checkpoint.at("called"), checkpoint.at("folder"), checkpoint.at("text")},
                          configFrom(checkpoint.at("defaults"))),
-              {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("step_start"),
-               checkpoint.at("timeouts")}),
+              {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("made"),
+               checkpoint.at("step_start"), checkpoint.at("timeouts")}),
       output_(checkpoint.at("output")),
       start_(ros::SteadyTime::now()),
       start_time_(checkpoint.at("start")) {}
@@ -25,11 +25,17 @@ RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
 nlohmann::json RecipeRun::checkpoint() const {
   const RecipeText& source = recipe().source;
   const RecipePlace& place = runner_.place();
-  return {{"called", source.called},    {"folder", source.folder},
-          {"text", source.text},        {"step", place.step},
-          {"started", place.started},   {"step_start", place.start_time},
-          {"output", output_},          {"start", start_time_},
-          {"timeouts", place.timeouts}, {"defaults", toJson(recipe().defaults)}};
+  return {{"called", source.called},
+          {"folder", source.folder},
+          {"text", source.text},
+          {"step", place.step},
+          {"started", place.started},
+          {"made", place.made},
+          {"step_start", place.start_time},
+          {"output", output_},
+          {"start", start_time_},
+          {"timeouts", place.timeouts},
+          {"defaults", toJson(recipe().defaults)}};
 }
 
 bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& apply) {
@@ -37,7 +43,13 @@ bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& 
     start_ = ros::SteadyTime::now();
     start_time_ = simulation.time();
   }
-  const bool goes_on = runner_.update(simulation, apply);
+  before_.reset();
+  const bool goes_on = runner_.update(simulation, [&](const Edit& edit) {
+    before_ = runner_.place();
+    const bool made = apply(edit);
+    if (made) before_.reset();
+    return made;
+  });
   for (const std::string& warning : runner_.takeWarnings()) {
     ROS_WARN("%s: %s", recipe().name.c_str(), warning.c_str());
   }
@@ -49,6 +61,19 @@ bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& 
     told_ = stepNumber();
     ROS_INFO("%s: %s", recipe().name.c_str(), place().c_str());
   }
+  return true;
+}
+
+void RecipeRun::remember(std::uint64_t edit) {
+  places_[edit] = before_ ? *before_ : runner_.place();
+}
+
+bool RecipeRun::goBack(std::uint64_t edit) {
+  const auto place = places_.find(edit);
+  if (place == places_.end()) return false;
+  runner_.goTo(place->second);
+  before_.reset();
+  places_.erase(place, places_.end());
   return true;
 }
 

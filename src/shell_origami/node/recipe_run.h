@@ -8,7 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 
 namespace shell_origami {
@@ -29,6 +32,12 @@ class RecipeRun {
   /// \throws std::exception when the paper refuses an edit or the results cannot be written.
   bool update(const Simulation& simulation, const RecipeRunner::Apply& apply);
 
+  /// To be called after every edit while the recipe is under way, with the edit's number.
+  void remember(std::uint64_t edit);
+  /// Goes back to where it was before the edit of this number. Returns false where it had not begun
+  /// then.
+  bool goBack(std::uint64_t edit);
+
   /// Tells the listener of the end, and the log of an early one.
   void end(const std::string& why);
   /// Nobody hears of the end any more.
@@ -48,6 +57,9 @@ class RecipeRun {
   int told_ = 0;  ///< number of the step that the log told of
   ros::SteadyTime start_;
   double start_time_ = 0;  ///< of the simulation [s]
+  /// Where the recipe was before each edit since it began, by the edits' numbers.
+  std::map<std::uint64_t, RecipePlace> places_;
+  std::optional<RecipePlace> before_;  ///< an edit that the recipe makes now
 };
 
 }  // namespace shell_origami

@@ -97,6 +97,7 @@ Services::Services(ros::NodeHandle& node, OrigamiNode& origami, HeldFrames& held
       node.advertiseService("pause", &Services::pause, this),
       node.advertiseService("resume", &Services::resume, this),
       node.advertiseService("reset", &Services::reset, this),
+      node.advertiseService("undo", &Services::undo, this),
   };
   spinner_.start();
 }
@@ -243,6 +244,15 @@ bool Services::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& r
   return answer("reset", response, [&] {
     origami_.reset();
     return "the paper is as it was loaded" + whilePaused();
+  });
+}
+
+bool Services::undo(msg::Undo::Request& request, msg::Undo::Response& response) {
+  return answer("undo", response, [&] {
+    const std::uint64_t edit = origami_.undo(std::max(1U, request.edits));
+    response.revision = origami_.session().revision();
+    response.edit = origami_.session().edits();
+    return "the paper is as it was before edit " + std::to_string(edit) + whilePaused();
   });
 }
 

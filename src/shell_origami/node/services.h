@@ -43,6 +43,7 @@ class Services {
   bool pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool resume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool undo(msg::Undo::Request& request, msg::Undo::Response& response);
 
   // Called in the threads of requests that may wait.
 

@@ -4,13 +4,18 @@
 
 namespace shell_origami {
 
+bool countsForUndo(const Edit& edit) {
+  return !std::holds_alternative<CarryEdit>(edit) && !std::holds_alternative<ConfigureEdit>(edit);
+}
+
 Session::Session(Simulation simulation)
-    : simulation_(std::move(simulation)), original_(simulation_.snapshot()) {}
+    : simulation_(std::move(simulation)),
+      original_(std::make_shared<const Snapshot>(simulation_.snapshot())) {}
 
 Session::Session(const nlohmann::json& json)
     : simulation_(snapshotFrom(json.at("now"))),
-      original_(json.count("original") ? snapshotFrom(json.at("original"))
-                                       : simulation_.snapshot()),
+      original_(std::make_shared<const Snapshot>(
+          json.count("original") ? snapshotFrom(json.at("original")) : simulation_.snapshot())),
       time_before_(json.at("time_before")),
       edits_(json.at("edits")),
       counters_before_(countersFrom(json.at("counters_before"))),
@@ -26,15 +31,30 @@ nlohmann::json Session::toJson() const {
 
 nlohmann::json Session::checkpoint() const {
   nlohmann::json json = toJson();
-  json["original"] = shell_origami::toJson(original_);
+  json["original"] = shell_origami::toJson(*original_);
   return json;
 }
 
-EditRecord Session::apply(const Edit& edit) { return record(simulation_.apply(edit)); }
+EditRecord Session::apply(const Edit& edit) {
+  std::optional<BeforeEdit> before = countsForUndo(edit) ? beforeNext() : std::nullopt;
+  EditRecord made = simulation_.apply(edit);
+  keep(std::move(before));
+  return record(std::move(made));
+}
 
 EditRecord Session::accept(Simulation edited, EditRecord made) {
+  keep(beforeNext());
   simulation_ = std::move(edited);
   return record(std::move(made));
+}
+
+std::optional<BeforeEdit> Session::beforeNext() const {
+  if (!history_.keeps()) return std::nullopt;
+  return BeforeEdit{edits_ + 1, simulation_.snapshot(), original_};
+}
+
+void Session::keep(std::optional<BeforeEdit> before) {
+  if (before) history_.add(std::move(*before));
 }
 
 EditRecord Session::record(EditRecord record) {
@@ -47,16 +67,29 @@ EditRecord Session::record(EditRecord record) {
 }
 
 void Session::replace(Simulation simulation, const std::string& path) {
+  keep(beforeNext());
   follow(std::move(simulation));
-  original_ = simulation_.snapshot();
+  original_ = std::make_shared<const Snapshot>(simulation_.snapshot());
   if (listener_) listener_->onLoad(path);
 }
 
 void Session::reset() {
-  Snapshot original = original_;
+  keep(beforeNext());
+  Snapshot original = *original_;
   original.config = simulation_.config();
   follow(Simulation(original));
   if (listener_) listener_->onReset();
+}
+
+std::uint64_t Session::undo(std::uint32_t count) {
+  BeforeEdit before = history_.goBack(count);
+  const LiveConfig live = liveConfigOf(simulation_.config());
+  Simulation paper(before.paper);
+  if (!(liveConfigOf(paper.config()) == live)) paper.configure(live);
+  follow(std::move(paper));
+  original_ = std::move(before.original);
+  if (listener_) listener_->onUndo(before.edit);
+  return before.edit;
 }
 
 Counters Session::counters() const {
@@ -67,9 +100,10 @@ Counters Session::counters() const {
 
 void Session::follow(Simulation simulation) {
   const std::uint32_t next_revision = revision() + 1;
-  time_before_ += simulation_.time();
+  time_before_ = time() - simulation.time();
   ++edits_;
-  counters_before_ += simulation_.counters();
+  counters_before_ = counters();
+  counters_before_ -= simulation.counters();
   simulation_ = std::move(simulation);
   revision_before_ = next_revision - simulation_.sheet().revision();
 }

@@ -2,12 +2,19 @@
 /// The simulation under way, through every paper that is loaded.
 #pragma once
 
+#include <shell_origami/node/undo_history.h>
 #include <shell_origami/origami/simulation.h>
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 
 namespace shell_origami {
+
+/// Whether an edit counts among those that can be undone: frames move the paper at every step, and
+/// live parameters are none of its own.
+bool countsForUndo(const Edit& edit);
 
 /// Hears of every change of the paper other than time, once, in order.
 class SessionListener {
@@ -17,10 +24,12 @@ class SessionListener {
   /// Another paper took the place of this one: that of a file, or the loaded one as it was.
   virtual void onLoad(const std::string& path) = 0;
   virtual void onReset() = 0;
+  /// The paper is again as it was before the edit of this number.
+  virtual void onUndo(std::uint64_t edit) = 0;
 };
 
 /// One paper at a time. Time, counters, edits and revision keep growing when another takes its
-/// place. Nothing else changes a node's paper.
+/// place, and when edits are undone. Nothing else changes a node's paper.
 class Session {
  public:
   explicit Session(Simulation simulation);
@@ -48,10 +57,17 @@ class Session {
   void replace(Simulation simulation, const std::string& path);
   /// Makes the paper again as it was when it was loaded.
   void reset();
+  /// \param bytes  that may be kept to undo edits; at first none
+  void setUndoMemory(std::size_t bytes) { history_.setMemory(bytes); }
+  /// Makes the paper again as it was before the last edits, but for the live parameters. Edits of
+  /// frames and of live parameters do not count. Returns the number of the first edit undone.
+  /// \param count  of the edits, at least 1
+  /// \throws std::invalid_argument when these are more than are kept
+  std::uint64_t undo(std::uint32_t count);
 
   const Simulation& simulation() const { return simulation_; }
   /// The paper as it was loaded.
-  const Snapshot& original() const { return original_; }
+  const Snapshot& original() const { return *original_; }
 
   double time() const { return time_before_ + simulation_.time(); }  ///< [s]
   Counters counters() const;                                         ///< over every paper so far
@@ -63,9 +79,12 @@ class Session {
  private:
   void follow(Simulation simulation);
   EditRecord record(EditRecord record);
+  std::optional<BeforeEdit> beforeNext() const;
+  void keep(std::optional<BeforeEdit> before);
 
   Simulation simulation_;
-  Snapshot original_;
+  std::shared_ptr<const Snapshot> original_;
+  UndoHistory history_;
   double time_before_ = 0;
   std::uint64_t edits_ = 0;
   Counters counters_before_;

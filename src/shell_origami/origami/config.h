@@ -25,7 +25,16 @@ struct LiveConfig {
   Vector3 gravity = Vector3::Zero();  ///< [m/s^2]
   double air_damping = 0;             ///< [1/s]
   double fold_duration = 1;           ///< of a fold that states none [s]
+
+  bool operator==(const LiveConfig& other) const {
+    return gravity == other.gravity && air_damping == other.air_damping &&
+           fold_duration == other.fold_duration;
+  }
 };
+
+inline LiveConfig liveConfigOf(const SimulationConfig& config) {
+  return {config.gravity, config.material.air_damping, config.fold_duration};
+}
 
 /// \throws std::invalid_argument that names the offending parameter, its value and its bounds.
 void checkConfig(SimulationConfig config);

@@ -104,8 +104,12 @@ bool RecipeRunner::update(const Simulation& simulation, const Apply& apply) {
   while (!finished()) {
     const RecipeStep& step = recipe_.steps[place_.step];
     if (!place_.started) {
+      const std::vector<Edit> edits = std::visit(Edits{}, step);
       bool made = true;
-      for (const Edit& edit : std::visit(Edits{}, step)) made = apply(edit) && made;
+      for (const auto count = static_cast<int>(edits.size()); place_.made < count; ++place_.made) {
+        made = apply(edits[place_.made]) && made;
+      }
+      place_.made = 0;
       place_.started = true;
       place_.start_time = simulation.time();
       if (!made) return true;

@@ -84,6 +84,7 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults = {
 struct RecipePlace {
   int step = 0;           ///< under way, 0-based
   bool started = false;   ///< whether that step's edits are made
+  int made = 0;           ///< how many of them are, until all are
   double start_time = 0;  ///< of that step [s]
   /// Steps before it, 0-based, that ended at their timeout before the paper had settled.
   std::vector<int> timeouts;
@@ -105,6 +106,8 @@ class RecipeRunner {
 
   const Recipe& recipe() const { return recipe_; }
   const RecipePlace& place() const { return place_; }
+  /// Goes on from another place of the same recipe, with the paper as it was there.
+  void goTo(const RecipePlace& place) { place_ = place; }
   bool finished() const { return place_.step >= static_cast<int>(recipe_.steps.size()); }
   double progress(const Simulation& simulation) const;  ///< 0..1
   std::string doing() const;                            ///< one word for the step under way

@@ -331,7 +331,18 @@ bool Simulation::atRest() const {
 bool Simulation::settled() const {
   return !folding() && !compliance_.soft() &&
          rootMeanSquare(motion_.velocities) < kSettledSpeed * sheet_.size() &&
-         rootMeanSquare(motion_.accelerations) < kSettledAcceleration * sheet_.size();
+         rootMeanSquare(accelerations()) < kSettledAcceleration * sheet_.size();
+}
+
+/// Those of the last step, or of paper that has taken none, such as that of a file, those that its
+/// forces give it.
+Positions Simulation::accelerations() const {
+  if (counters_.steps > 0) return motion_.accelerations;
+  Positions forces = Positions::Zero(3, motion_.positions.cols());
+  shell_.addGradient(motion_.positions, forces);
+  if (contactOn()) contact_->addGradient(motion_.positions, forces);
+  for (int v : pinned()) forces.col(v).setZero();
+  return -forces * shell_.shell().masses().cwiseInverse().asDiagonal();
 }
 
 }  // namespace shell_origami

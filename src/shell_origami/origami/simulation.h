@@ -145,6 +145,7 @@ class Simulation {
   const Potentials& potentials();
   void pinsChanged();
   bool atRest() const;
+  Positions accelerations() const;
   bool contactOn() const;
   std::vector<TrianglePair> touching() const;
   void startContact();

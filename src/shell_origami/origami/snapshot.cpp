@@ -332,6 +332,33 @@ Counters& Counters::operator+=(const Counters& other) {
   return *this;
 }
 
+Counters& Counters::operator-=(const Counters& other) {
+  steps -= other.steps;
+  newton_iterations -= other.newton_iterations;
+  factorizations -= other.factorizations;
+  retries -= other.retries;
+  times -= other.times;
+  return *this;
+}
+
+std::size_t memoryOf(const Snapshot& snapshot) {
+  const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
+  const auto columns = static_cast<std::size_t>(snapshot.motion.positions.cols());
+  const Sheet& sheet = snapshot.sheet;
+  // A triangle has three numbers each for its vertices, neighbors, labels and edges.
+  std::size_t sum = sizeof(Snapshot) + 3 * 3 * columns * sizeof(double) +
+                    bytes(sheet.flatPositions()) + 4 * bytes(sheet.triangles()) +
+                    bytes(sheet.edges()) + bytes(sheet.creases()) + bytes(sheet.layerOrders()) +
+                    bytes(snapshot.creases.ramps()) + bytes(snapshot.in_plane.strains()) +
+                    bytes(snapshot.rest.set()) + bytes(snapshot.rest.plastic()) +
+                    bytes(snapshot.pattern.starts) + bytes(snapshot.pattern.indices) +
+                    bytes(snapshot.left_out);
+  for (const Crease& crease : sheet.creases()) sum += bytes(crease.vertices);
+  // Nodes of maps and sets.
+  constexpr std::size_t kHeldVertex = 150;
+  return sum + kHeldVertex * snapshot.held.all().size();
+}
+
 Json toJson(const Snapshot& snapshot) {
   Json ramps = Json::array();
   for (const FoldRamp& ramp : snapshot.creases.ramps()) ramps.push_back(write(ramp));

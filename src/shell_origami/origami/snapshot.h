@@ -26,6 +26,7 @@ struct Counters {
   SolverTimes times;
 
   Counters& operator+=(const Counters& other);
+  Counters& operator-=(const Counters& other);
 };
 
 /// A simulation made of it goes on as the one it was taken of, to the bit.
@@ -45,6 +46,9 @@ struct Snapshot {
   bool resting = false;
   std::vector<TrianglePair> left_out;  ///< of contact, ascending
 };
+
+/// Returns about how much memory it takes [bytes].
+std::size_t memoryOf(const Snapshot& snapshot);
 
 nlohmann::json toJson(const SimulationConfig& config);
 /// Throws std::invalid_argument or nlohmann::json::exception for anything else than toJson() made.

@@ -217,7 +217,7 @@ msg::Edit paperMessage(const Session& session, const std::string& kind, const st
 
 bool carriesPaper(const msg::Edit& message) {
   return message.kind == msg::Edit::PAPER || message.kind == msg::Edit::LOAD ||
-         message.kind == msg::Edit::RESET;
+         message.kind == msg::Edit::RESET || message.kind == msg::Edit::UNDO;
 }
 
 Session paperFrom(const msg::Edit& message) {

@@ -11,7 +11,7 @@ namespace shell_origami {
 
 /// The header is left open.
 msg::Edit editMessage(const EditRecord& record);
-/// Kind paper, load or reset: the whole paper after its last edit. The header is left open.
+/// Kind paper, load, reset or undo: the whole paper after its last edit. The header is left open.
 msg::Edit paperMessage(const Session& session, const std::string& kind,
                        const std::string& path = "");
 

@@ -1,0 +1,184 @@
+#!/usr/bin/python3
+"""~undo makes the paper again as it was before its last edits, and it goes on as it would have."""
+
+import os
+import shutil
+import tempfile
+
+import dynamic_reconfigure.client
+import rospy
+import rostest
+
+from moving_frame import MovingFrame
+from origami_client import NodeTest, line
+from recipe_goal import Goal, connect
+
+SIDE = 0.15
+STRIP = '''sheet: {size: [0.1, 0.05], max_edge: 0.02}
+steps:
+  - pin: {region: [[0, 0], [0.02, 0], [0.02, 0.05], [0, 0.05]]}
+  - fold: [{line: [[0.05, 0], [0.05, 0.05]], angle_deg: 90, name: a},
+           {line: [[0.08, 0], [0.08, 0.05]], angle_deg: -60, name: b}]
+    duration: 0.4
+  - settle: {timeout: 0.5}
+  - fold: [{crease: a, angle_deg: 20}]
+    duration: 0.3
+'''
+
+
+class UndoTest(NodeTest):
+    @classmethod
+    def setUpClass(cls):
+        super(UndoTest, cls).setUpClass()
+        cls.goals = connect()
+        cls.folder = tempfile.mkdtemp()
+        for name, sheet in (('square', 'size: [0.15, 0.15]'), ('strip', 'size: [0.1, 0.05]')):
+            with open(cls.path(name), 'w') as recipe:
+                recipe.write('sheet: {%s, max_edge: 0.02}\nsteps: []\n' % sheet)
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    @classmethod
+    def path(cls, name):
+        return os.path.join(cls.folder, name + '.yaml')
+
+    def setUp(self):
+        super(UndoTest, self).setUp()
+        self.origami.do('load', path=self.path('square'))
+
+    def fold(self, x, angle, **fields):
+        return self.origami.do('fold', line=line(x, 0, x, SIDE), angle=angle, duration=0.5, **fields)
+
+    def assertSamePaper(self, state, expected):
+        """But for names and numbers that grow on."""
+        self.assertEqual(state.positions, expected.positions)
+        self.assertEqual(state.pinned, expected.pinned)
+        for field in ('id', 'angle', 'rest_angle', 'target_angle'):
+            self.assertEqual([getattr(c, field) for c in state.creases],
+                             [getattr(c, field) for c in expected.creases], field)
+
+    def refused(self, *words, **fields):
+        answer = self.origami.call('undo', **fields)
+        self.assertFalse(answer.success)
+        for word in words:
+            self.assertIn(word, answer.message)
+
+    def test_a_fold_under_way_goes_on_as_if_the_next_one_had_not_been(self):
+        self.fold(0.05, 2.0)
+        self.origami.do('step', steps=10)
+        before = self.origami.state()
+        self.origami.do('step', steps=30)
+        expected = self.origami.state()
+
+        self.origami.do('reset')
+        self.fold(0.05, 2.0)
+        self.origami.do('step', steps=10)
+        self.fold(0.1, -1.0)
+        self.origami.do('pin', vertices=[0])
+        self.origami.do('step', steps=15)
+        undo = self.origami.do('undo', edits=2)
+        state = self.origami.state()
+        self.assertSamePaper(state, before)
+        self.assertEqual(state.edits, undo.edit)
+        self.assertEqual(state.revision, undo.revision)
+        self.assertEqual(self.origami.sheet().revision, undo.revision)
+        self.origami.do('step', steps=30)
+        self.assertSamePaper(self.origami.state(), expected)
+
+    def test_one_edit_after_the_other(self):
+        papers = [self.origami.state()]
+        for x in (0.03, 0.06, 0.09):
+            self.fold(x, 0.5)
+            self.origami.do('step', steps=5)
+            papers.append(self.origami.state())
+        for number in (2, 1, 0):
+            self.origami.do('undo')
+            self.assertSamePaper(self.origami.state(), papers[number])
+
+    def test_settle_load_and_reset_are_undone(self):
+        self.fold(0.05, 1.0)
+        self.origami.do('step', steps=7)
+        before = self.origami.state()
+        self.origami.do('settle')
+        self.origami.do('undo')
+        self.assertSamePaper(self.origami.state(), before)
+        self.origami.do('reset')
+        self.origami.do('undo')
+        self.assertSamePaper(self.origami.state(), before)
+
+        self.origami.do('load', path=self.path('strip'))
+        self.origami.do('undo')
+        self.assertSamePaper(self.origami.state(), before)
+        self.origami.do('reset')  # to the square, not to the strip
+        widest = max(p.x for p in self.origami.sheet().flat_positions)
+        self.assertAlmostEqual(widest, SIDE, delta=1e-6)
+
+    def test_what_is_too_long_ago_is_refused(self):
+        self.fold(0.05, 1.0)
+        before = self.origami.state()
+        self.refused('edits is 100000', 'only the last', edits=100000)
+        after = self.origami.state()
+        self.assertEqual(after.edits, before.edits)
+        self.assertSamePaper(after, before)
+        # Memory is bounded: in 1 MB not all of these papers find room, but many do.
+        for _ in range(100):
+            self.origami.do('pin', vertices=[0])
+        self.refused('only the last', edits=101)
+        self.origami.do('undo', edits=20)
+        for _ in range(200):
+            answer = self.origami.call('undo')
+            if not answer.success:
+                break
+        self.assertEqual(answer.message, 'there is no edit that can be undone')
+
+    def test_live_parameters_and_frames_are_left_alone(self):
+        hand = MovingFrame('hand')
+        live = dynamic_reconfigure.client.Client('/origami/live', timeout=10)
+        self.addCleanup(live.update_configuration, {'gravity_z': 0.0})
+        self.origami.do('pin', vertices=[0], frame_id='hand')
+        self.fold(0.05, 1.0)
+        live.update_configuration({'gravity_z': -2.0})
+        hand.go((0, 0, 0.02, 0), 0.2)
+        self.origami.do('step', steps=20)
+        self.assertGreater(self.origami.state().edits, 5)  # those of the frame
+        self.origami.do('undo')
+        state = self.origami.state()
+        self.assertEqual(state.creases, [])
+        self.assertEqual(list(state.pinned), [0])
+        self.assertEqual(live.get_configuration()['gravity_z'], -2.0)
+        self.origami.do('step', steps=1)
+        self.assertLess(min(p.z for p in self.origami.state().positions), 0)  # it falls
+
+    def test_a_recipe_under_way_goes_back_and_folds_the_same(self):
+        whole = Goal(self.goals, yaml=STRIP)
+        self.assertIn('the recipe is done', whole.wait()[1])
+        expected = self.origami.state()
+
+        self.origami.do('reset')
+        goal = Goal(self.goals, yaml=STRIP)
+        self.assertTrue(goal.starts())
+        goal.wait_for_progress(0.5)
+        self.origami.do('pause')
+        self.origami.do('undo')  # the second of the two folds
+        self.assertEqual(len(self.origami.state().creases), 1)
+        self.origami.do('resume')
+        self.assertIn('the recipe is done', goal.wait()[1])
+        self.assertSamePaper(self.origami.state(), expected)
+
+    def test_a_recipe_whose_paper_is_undone_is_abandoned(self):
+        self.fold(0.05, 1.0)
+        before = self.origami.state()
+        goal = Goal(self.goals, yaml=STRIP)
+        self.assertTrue(goal.starts())
+        goal.wait_for_progress(0.3)
+        self.origami.do('pause')
+        self.origami.do('undo', edits=4)  # a pin, two folds, and the strip
+        self.assertIn('undone', goal.wait()[1])
+        self.assertSamePaper(self.origami.state(), before)
+
+
+if __name__ == '__main__':
+    rospy.init_node('undo_test')
+    rostest.rosrun('shell_origami', 'undo_test', UndoTest)
