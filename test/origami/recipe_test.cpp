@@ -125,6 +125,71 @@ TEST_F(RecipeTest, LaysTheSheetWhereThePoseSays) {
   EXPECT_NEAR(simulation.maxStrain(), 0, 1e-13);
 }
 
+constexpr const char* kThrough = R"(
+sheet: {size: [0.1, 0.1], max_edge: 0.05}
+names: {tip: {corner: [0, 0]}, top: [0.1, 0.1], middle: {on: [tip, top], at: 0.5}}
+steps:
+  - fold_through: {bring: tip, to: middle}
+  - turn_over: {}
+  - fold_through: {edge: [tip, [0.1, 0]], to_edge: [[0, 0.1], top], layers: {top: 2}, way: behind}
+    duration: 3
+  - fold_through: {across: [tip, top], at: middle, move: top, angle_deg: 90}
+  - fold_through: {through: [tip, {meet: [tip, top, [0, 0.1], [0.1, 0]]}], move: top, flap: top}
+)";
+
+TEST_F(RecipeTest, ReadsFoldsThroughLayers) {
+  const Recipe recipe = loadRecipe(write(kThrough));
+  ASSERT_EQ(recipe.steps.size(), 5u);
+  const Sheet sheet = makeSimulation(recipe.sheet, recipe.config).sheet();
+  const auto& first = std::get<FoldThroughStep>(recipe.steps[0]);
+  EXPECT_NEAR(first.fold.angle, 178 * M_PI / 180, 1e-15);
+  EXPECT_EQ(first.fold.layers, FoldLayers::kAll);
+  const auto& bring = std::get<BringPoint>(first.fold.axiom);
+  EXPECT_EQ(flatPoint(bring.from, sheet), Vector2(0, 0));
+  EXPECT_LT((flatPoint(bring.to, sheet) - Vector2(0.05, 0.05)).norm(), 1e-15);
+  EXPECT_TRUE(std::holds_alternative<TurnOverStep>(recipe.steps[1]));
+  const auto& edges = std::get<FoldThroughStep>(recipe.steps[2]);
+  EXPECT_TRUE(std::holds_alternative<BringEdge>(edges.fold.axiom));
+  EXPECT_EQ(edges.fold.layers, FoldLayers::kTop);
+  EXPECT_EQ(edges.fold.count, 2);
+  EXPECT_TRUE(edges.fold.behind);
+  EXPECT_EQ(edges.duration, 3);
+  const auto& along = std::get<FoldThroughStep>(recipe.steps[4]);
+  EXPECT_EQ(along.fold.layers, FoldLayers::kFlap);
+  const Landmark meeting = std::get<FoldAlong>(along.fold.axiom).points[1];
+  EXPECT_LT((flatPoint(meeting, sheet) - Vector2(0.05, 0.05)).norm(), 1e-15);
+}
+
+TEST_F(RecipeTest, RefusesFoldsThroughLayersThatMakeNoSense) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"{bring: nose, to: [0, 0]}", "'nose' is none of the recipe's names"},
+      {"{bring: [0, 0]}", "bring needs to"},
+      {"{bring: [0, 0], to: [0.1, 0], move: [0, 0]}", "move belongs to across and through"},
+      {"{bring: [0, 0], to: [0.1, 0], through: [[0, 0], [0, 1]], move: [0, 0]}", "not 2"},
+      {"{layers: all}", "not 0"},
+      {"{edge: [[0, 0]], to_edge: [[0, 0], [0, 1]]}", "edge takes 2 points"},
+      {"{bring: [0, 0, 1], to: [0.1, 0]}", "2 numbers"},
+      {"{bring: [0, .nan], to: [0.1, 0]}", "nan"},
+      {"{bring: {corner: [0, 0], meet: []}, to: [0.1, 0]}", "meet takes 4 points"},
+      {"{bring: {at: 0.5}, to: [0.1, 0]}", "one of corner, on and meet"},
+      {"{bring: {on: [[0, 0], [0.1, 0]], at: 2}, to: [0.1, 0]}", "at 2 is not from 0 to 1"},
+      {"{bring: [0, 0], to: [0.1, 0], layers: {top: 0}}", "top 0 is not at least 1"},
+      {"{bring: [0, 0], to: [0.1, 0], layers: some}", "layers takes all, or top"},
+      {"{bring: [0, 0], to: [0.1, 0], layers: {top: 1}, flap: [0, 0]}", "not both"},
+      {"{bring: [0, 0], to: [0.1, 0], way: up}", "way is 'up'"},
+      {"{bring: [0, 0], to: [0.1, 0], angle_deg: -10}", "angle_deg -10 is not inside (0, 180)"},
+      {"{fold: [0, 0]}", "fold"},
+      {"7", "map"},
+  };
+  for (const auto& [fold, words] : cases) {
+    const std::string said = refusal("steps:\n  - fold_through: " + std::string(fold));
+    EXPECT_NE(said.find(words), std::string::npos) << fold << ": " << said;
+    EXPECT_NE(said.find("line 2"), std::string::npos) << said;
+  }
+  EXPECT_NE(refusal("names: [1]\nsteps: []").find("names must be a map"), std::string::npos);
+  EXPECT_NE(refusal("names: {a: b, b: [0, 0]}\nsteps: []").find("'b' is none"), std::string::npos);
+}
+
 TEST_F(RecipeTest, OverridesOneValue) {
   const Recipe recipe =
       loadRecipe(write(kGood), {}, {}, {{"material/thickness", "3e-4"}, {"solver/gamma", "0.9"}});

@@ -9,6 +9,20 @@
 #include <utility>
 
 namespace shell_origami {
+namespace {
+
+nlohmann::json viewJson(const std::optional<Viewpoint>& view) {
+  if (!view) return nullptr;
+  return {{"x", view->point.x()}, {"y", view->point.y()}, {"front", view->front}};
+}
+
+std::optional<Viewpoint> viewFrom(const nlohmann::json& json) {
+  if (json.is_null()) return std::nullopt;
+  const double x = json.at("x"), y = json.at("y");
+  return Viewpoint{Vector2(x, y), json.at("front")};
+}
+
+}  // namespace
 
 RecipeRun::RecipeRun(Recipe recipe, std::string output, Listener listener)
     : runner_(std::move(recipe)), output_(std::move(output)), listener_(std::move(listener)) {}
@@ -17,7 +31,8 @@ RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
     : runner_(readRecipe({checkpoint.at("called"), checkpoint.at("folder"), checkpoint.at("text")},
                          configFrom(checkpoint.at("defaults"))),
               {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("made"),
-               checkpoint.at("step_start"), checkpoint.at("timeouts")}),
+               checkpoint.at("step_start"), viewFrom(checkpoint.at("view")),
+               checkpoint.at("timeouts")}),
       output_(checkpoint.at("output")),
       start_(ros::SteadyTime::now()),
       start_time_(checkpoint.at("start")) {}
@@ -32,6 +47,7 @@ nlohmann::json RecipeRun::checkpoint() const {
           {"started", place.started},
           {"made", place.made},
           {"step_start", place.start_time},
+          {"view", viewJson(place.view)},
           {"output", output_},
           {"start", start_time_},
           {"timeouts", place.timeouts},

@@ -50,8 +50,11 @@ RecipeRunner::RecipeRunner(Recipe recipe, const RecipePlace& place)
 
 namespace {
 
-/// The edits that begin a step.
+/// The edits that begin a step, and the view of the paper after it.
 struct Edits {
+  const Simulation& simulation;
+  Viewpoint view;
+
   std::vector<Edit> operator()(const PinStep& step) const { return {PinEdit{step.where}}; }
   std::vector<Edit> operator()(const UnpinStep& step) const {
     if (step.points.empty()) return {UnpinEdit{}};
@@ -69,6 +72,19 @@ struct Edits {
     if (!step.quasi_static) return {};
     return {SettleEdit{}};
   }
+  std::vector<Edit> operator()(const FoldThroughStep& step) {
+    FoldThrough fold = step.fold;
+    fold.duration = step.duration;
+    const FoldPlan plan = planFold(fold, view, simulation);
+    view = plan.after;
+    std::vector<Edit> edits;
+    for (const FoldEdit& edit : foldEdits(plan, fold)) edits.emplace_back(edit);
+    return edits;
+  }
+  std::vector<Edit> operator()(const TurnOverStep&) {
+    view.front = !view.front;
+    return {};
+  }
 };
 
 /// Whether a step is over.
@@ -79,6 +95,8 @@ struct Over {
   bool operator()(const PinStep&) const { return true; }
   bool operator()(const UnpinStep&) const { return true; }
   bool operator()(const FoldStep&) const { return !simulation.folding(); }
+  bool operator()(const FoldThroughStep&) const { return !simulation.folding(); }
+  bool operator()(const TurnOverStep&) const { return true; }
   bool operator()(const SettleStep& step) const { return elapsed >= step.timeout || settled(); }
   /// The residual speeds of a fold just begun are not rest.
   bool settled() const { return elapsed > 0 && simulation.settled(); }
@@ -89,6 +107,8 @@ struct Word {
   const char* operator()(const UnpinStep&) const { return "unpin"; }
   const char* operator()(const FoldStep&) const { return "fold"; }
   const char* operator()(const SettleStep&) const { return "settle"; }
+  const char* operator()(const FoldThroughStep&) const { return "fold_through"; }
+  const char* operator()(const TurnOverStep&) const { return "turn_over"; }
 };
 
 struct Length {
@@ -96,6 +116,8 @@ struct Length {
   double operator()(const UnpinStep&) const { return 0; }
   double operator()(const FoldStep& step) const { return step.duration; }
   double operator()(const SettleStep& step) const { return step.timeout; }
+  double operator()(const FoldThroughStep& step) const { return step.duration; }
+  double operator()(const TurnOverStep&) const { return 0; }
 };
 
 }  // namespace
@@ -104,13 +126,17 @@ bool RecipeRunner::update(const Simulation& simulation, const Apply& apply) {
   while (!finished()) {
     const RecipeStep& step = recipe_.steps[place_.step];
     if (!place_.started) {
-      const std::vector<Edit> edits = std::visit(Edits{}, step);
+      Edits visitor{simulation, place_.view.value_or(frontOf(simulation.sheet()))};
+      const std::vector<Edit> edits = std::visit(visitor, step);
+      // Of a fold through layers that was begun, what it made is found as creases on its plane.
+      if (std::holds_alternative<FoldThroughStep>(step)) place_.made = 0;
       bool made = true;
       for (const auto count = static_cast<int>(edits.size()); place_.made < count; ++place_.made) {
         made = apply(edits[place_.made]) && made;
       }
       place_.made = 0;
       place_.started = true;
+      place_.view = visitor.view;
       place_.start_time = simulation.time();
       if (!made) return true;
     }

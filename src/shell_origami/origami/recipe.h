@@ -2,10 +2,12 @@
 /// A recipe: a sheet, its material, and what to do with it, step by step (YAML).
 #pragma once
 
+#include <shell_origami/origami/fold_through.h>
 #include <shell_origami/origami/sheet_source.h>
 #include <shell_origami/origami/simulation.h>
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -35,7 +37,15 @@ struct SettleStep {
   double timeout = 5;
   bool quasi_static = false;
 };  ///< [s]
-using RecipeStep = std::variant<PinStep, UnpinStep, FoldStep, SettleStep>;
+/// A fold through layers, as the paper is when the step begins.
+struct FoldThroughStep {
+  FoldThrough fold;
+  double duration = 1;  ///< [s]
+};
+/// Looks at the paper's other side from now on.
+struct TurnOverStep {};
+using RecipeStep =
+    std::variant<PinStep, UnpinStep, FoldStep, SettleStep, FoldThroughStep, TurnOverStep>;
 
 /// From where the finished model looks best: rviz's orbit camera.
 struct View {
@@ -82,10 +92,11 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults = {
 
 /// How far a recipe is.
 struct RecipePlace {
-  int step = 0;           ///< under way, 0-based
-  bool started = false;   ///< whether that step's edits are made
-  int made = 0;           ///< how many of them are, until all are
-  double start_time = 0;  ///< of that step [s]
+  int step = 0;                   ///< under way, 0-based
+  bool started = false;           ///< whether that step's edits are made
+  int made = 0;                   ///< how many of them are, until all are
+  double start_time = 0;          ///< of that step [s]
+  std::optional<Viewpoint> view;  ///< none: that of the flat sheet's front
   /// Steps before it, 0-based, that ended at their timeout before the paper had settled.
   std::vector<int> timeouts;
 };

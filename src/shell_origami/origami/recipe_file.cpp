@@ -124,7 +124,7 @@ void apply(const Overrides& overrides, const RecipeReader& reader, YAML::Node ro
 void readRoot(const RecipeReader& reader, const YAML::Node& root, const fs::path& folder,
               Recipe& recipe) {
   SimulationConfig& config = recipe.config;
-  YAML::Node steps;
+  YAML::Node steps, names;
   RecipeReader::Handlers handlers = parametersIn("", reader, config);
   for (const std::string group : {"material", "solver", "compliance", "contact"}) {
     handlers[group] = [&reader, &config, group](const YAML::Node& node) {
@@ -135,14 +135,16 @@ void readRoot(const RecipeReader& reader, const YAML::Node& root, const fs::path
     readSheet(reader, node, folder, recipe.sheet, config.rest);
   };
   handlers["view"] = [&](const YAML::Node& node) { readView(reader, node, recipe.view); };
+  handlers["names"] = [&](const YAML::Node& node) { names = node; };
   handlers["steps"] = [&](const YAML::Node& node) { steps = node; };
   reader.readMap(root, "the recipe", handlers);
   for (const auto& entry : root) recipe.stated.insert(entry.first.Scalar());
   if (steps.IsDefined() && !steps.IsNull() && !steps.IsSequence()) {
     reader.refuseAt(steps, "steps must be a list");
   }
+  const LandmarkNames landmarks = names.IsNull() ? LandmarkNames() : readNames(reader, names);
   for (const YAML::Node& step : steps) {
-    recipe.steps.push_back(readStep(reader, step, config.fold_duration));
+    recipe.steps.push_back(readStep(reader, step, config.fold_duration, landmarks));
   }
 }
 

@@ -90,7 +90,8 @@ double readSeconds(const RecipeReader& reader, const YAML::Node& node, const std
 
 }  // namespace
 
-RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double fold_duration) {
+RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double fold_duration,
+                    const LandmarkNames& names) {
   std::vector<RecipeStep> steps;
   double duration = fold_duration;
   bool has_duration = false;
@@ -106,6 +107,15 @@ RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double f
           FoldStep step;
           for (const YAML::Node& entry : value) step.folds.push_back(readFoldEntry(reader, entry));
           steps.push_back(step);
+        }},
+       {"fold_through",
+        [&](const YAML::Node& value) {
+          steps.push_back(FoldThroughStep{readFoldThrough(reader, value, names)});
+        }},
+       {"turn_over",
+        [&](const YAML::Node& value) {
+          reader.readMap(value, "turn_over", {});
+          steps.push_back(TurnOverStep{});
         }},
        {"duration",
         [&](const YAML::Node& value) {
@@ -125,11 +135,15 @@ RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double f
           steps.push_back(step);
         }}});
   if (steps.size() != 1) {
-    reader.refuseAt(node, "a step does one thing: pin, unpin, fold or settle, not ", steps.size());
+    reader.refuseAt(
+        node, "a step does one thing: pin, unpin, fold, fold_through, turn_over or settle, not ",
+        steps.size());
   }
-  FoldStep* fold = std::get_if<FoldStep>(&steps[0]);
-  if (has_duration && !fold) reader.refuseAt(node, "duration belongs to a fold");
+  auto* fold = std::get_if<FoldStep>(&steps[0]);
+  auto* through = std::get_if<FoldThroughStep>(&steps[0]);
+  if (has_duration && !fold && !through) reader.refuseAt(node, "duration belongs to a fold");
   if (fold) fold->duration = duration;
+  if (through) through->duration = duration;
   return steps[0];
 }
 

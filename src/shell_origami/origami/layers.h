@@ -1,0 +1,73 @@
+/// \file
+/// The layers of folded paper on the moving side of a fold's plane, as a viewer sees them.
+#pragma once
+
+#include <shell_origami/origami/fold_plane.h>
+#include <shell_origami/origami/simulation.h>
+
+#include <optional>
+#include <vector>
+
+namespace shell_origami {
+
+/// The side from which somebody looks at the paper.
+struct Viewpoint {
+  Vector2 point = Vector2::Zero();  ///< of the flat sheet, whose layer stays as paper is folded [m]
+  bool front = true;                ///< whether that layer shows its front
+};
+
+/// Returns the viewpoint of flat paper that is seen from its front.
+Viewpoint frontOf(const Sheet& sheet);
+/// Returns the direction from the paper to the viewer, of length 1, across the stack of layers.
+/// \throws std::invalid_argument where the viewpoint's layer stands on edge
+Vector3 viewerOf(const Viewpoint& view, const Simulation& simulation);
+
+enum class FoldLayers {
+  kAll,   ///< whatever is on the side that moves
+  kTop,   ///< the layers nearest to the viewer
+  kFlap,  ///< the flap that a landmark is on
+};
+
+class LayersBesidePlane {
+ public:
+  /// \param near  what passes the plane by less does not reach beyond it [m]
+  LayersBesidePlane(const Simulation& simulation, const FoldPlane& plane, const Vector3& viewer,
+                    double near);
+
+  int panel(std::size_t triangle) const { return panels_[triangle]; }
+  bool inFlap(std::size_t triangle) const { return flaps_[triangle] >= 0; }
+  /// Returns the cosine between a triangle's normal and the viewer: positive where its front shows.
+  /// \throws std::invalid_argument where it stands on edge
+  double facing(int triangle) const;
+
+  /// Returns of each triangle whether it moves: its flap is chosen. Flaps are the parts of the
+  /// paper beyond the plane that are joined to each other there.
+  /// \throws std::invalid_argument where nothing is there, or a chosen flap has layers that should
+  /// stay
+  std::vector<bool> chosen(FoldLayers layers, int count, const std::optional<Vector2>& flap) const;
+  /// \throws std::invalid_argument where a layer that stays is in the way of one that moves
+  void requireFree(const std::vector<bool>& moves, bool behind) const;
+  /// Returns the same view of the paper at its largest triangle that stays.
+  Viewpoint viewOfRest(const std::vector<bool>& moves) const;
+
+ private:
+  /// A layer under a point, as the viewer sees it.
+  struct Hit {
+    double height;  ///< towards the viewer [m]
+    int triangle;
+  };
+  std::vector<Hit> hitsAt(const Vector3& point) const;
+  std::vector<Hit> hitsAtMover() const;
+  bool beyond(int triangle) const;
+  void findFlaps(double near);
+  void requireOnly(const std::vector<bool>& chosen, const std::vector<Hit>& hits,
+                   std::size_t count) const;
+
+  const Simulation& simulation_;
+  const Sheet& sheet_;
+  FoldPlane plane_;
+  Vector3 viewer_;
+  std::vector<int> panels_, flaps_;  ///< of each triangle; no flap: -1
+};
+
+}  // namespace shell_origami
