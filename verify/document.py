@@ -4,6 +4,7 @@
 RESULTS_DIR was written by origami_verify; pictures are put beside the page, in doc/verification/."""
 import csv
 import os
+import string
 import sys
 
 import figures
@@ -43,7 +44,7 @@ def table(rows):
         yield '| %s | %s | %s | %s | %s |' % (
             cell(row['quantity']), number(row['expected']),
             measured if row['holds'] == '1' else '**%s: off**' % measured,
-            '%.2g' % float(row['tolerance']), 'abcdef'[reasons(rows).index(row['why'])])
+            '%.2g' % float(row['tolerance']), string.ascii_lowercase[reasons(rows).index(row['why'])])
 
 
 # For some items: the data of a second table, its heading, and a text.
@@ -85,7 +86,7 @@ def section(item, rows, pictures):
     yield '\n## %s\n' % item
     yield from table(rows)
     yield ''
-    for letter, why in zip('abcdef', reasons(rows)):
+    for letter, why in zip(string.ascii_lowercase, reasons(rows)):
         yield '- %s: %s' % (letter, why)
     for name, caption in pictures:
         yield '\n![%s](verification/%s.png)' % (name, name)

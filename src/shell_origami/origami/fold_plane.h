@@ -1,6 +1,6 @@
 /// \file
-/// The plane in space along which folded paper is folded, from what people say of a fold: the first
-/// five of Huzita's axioms in words.
+/// The plane in space along which folded paper is folded, from what people say of a fold: Huzita's
+/// axioms 1 to 4 in words (Huzita, Axiomatic development of origami geometry, 1989).
 #pragma once
 
 #include <shell_origami/origami/landmark.h>

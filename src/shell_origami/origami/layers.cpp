@@ -55,8 +55,7 @@ LayersBesidePlane::LayersBesidePlane(const Simulation& simulation, const FoldPla
       sheet_(simulation.sheet()),
       plane_(plane),
       viewer_(viewer),
-      panels_(panelOfTriangle(sheet_)),
-      flaps_(sheet_.triangles().size(), -1) {
+      panels_(panelOfTriangle(sheet_)) {
   findFlaps(near);
 }
 
@@ -75,28 +74,12 @@ void LayersBesidePlane::findFlaps(double near) {
   const auto reaches = [&](int v) {
     return plane_.distance(simulation_.positions().col(v)) > near;
   };
-  std::vector<std::vector<int>> neighbors(flaps_.size());
-  for (const Edge& edge : sheet_.edges()) {
-    if (edge.onBorder() || !(reaches(edge.vertices[0]) || reaches(edge.vertices[1]))) continue;
-    neighbors[edge.triangles[0]].push_back(edge.triangles[1]);
-    neighbors[edge.triangles[1]].push_back(edge.triangles[0]);
-  }
-  int count = 0;
-  for (std::size_t first = 0; first < flaps_.size(); ++first) {
-    const Triangle& t = sheet_.triangles()[first];
-    if (flaps_[first] >= 0 || std::none_of(t.begin(), t.end(), reaches)) continue;
-    std::vector<int> open = {static_cast<int>(first)};
-    flaps_[first] = count;
-    while (!open.empty()) {
-      const int triangle = open.back();
-      open.pop_back();
-      for (const int neighbor : neighbors[triangle]) {
-        if (flaps_[neighbor] >= 0) continue;
-        flaps_[neighbor] = count;
-        open.push_back(neighbor);
-      }
-    }
-    ++count;
+  flaps_ = connectedTriangles(sheet_, [&](const Edge& edge) {
+    return reaches(edge.vertices[0]) || reaches(edge.vertices[1]);
+  });
+  for (std::size_t i = 0; i < flaps_.size(); ++i) {
+    const Triangle& t = sheet_.triangles()[i];
+    if (std::none_of(t.begin(), t.end(), reaches)) flaps_[i] = -1;
   }
 }
 

@@ -112,31 +112,36 @@ std::vector<int> innerCreaseVertices(const Sheet& sheet) {
   return {found.begin(), found.end()};
 }
 
-std::vector<int> panelOfTriangle(const Sheet& sheet) {
-  std::vector<std::vector<int>> neighbours(sheet.triangles().size());
+std::vector<int> connectedTriangles(const Sheet& sheet,
+                                    const std::function<bool(const Edge&)>& joins) {
+  std::vector<std::vector<int>> neighbors(sheet.triangles().size());
   for (const Edge& edge : sheet.edges()) {
-    if (edge.onBorder() || edge.crease >= 0) continue;
-    neighbours[edge.triangles[0]].push_back(edge.triangles[1]);
-    neighbours[edge.triangles[1]].push_back(edge.triangles[0]);
+    if (edge.onBorder() || !joins(edge)) continue;
+    neighbors[edge.triangles[0]].push_back(edge.triangles[1]);
+    neighbors[edge.triangles[1]].push_back(edge.triangles[0]);
   }
-  std::vector<int> panel(sheet.triangles().size(), -1);
+  std::vector<int> parts(sheet.triangles().size(), -1);
   int count = 0;
-  for (std::size_t first = 0; first < panel.size(); ++first) {
-    if (panel[first] >= 0) continue;
+  for (std::size_t first = 0; first < parts.size(); ++first) {
+    if (parts[first] >= 0) continue;
     std::vector<int> open = {static_cast<int>(first)};
-    panel[first] = count;
+    parts[first] = count;
     while (!open.empty()) {
       const int triangle = open.back();
       open.pop_back();
-      for (const int neighbour : neighbours[triangle]) {
-        if (panel[neighbour] >= 0) continue;
-        panel[neighbour] = count;
-        open.push_back(neighbour);
+      for (const int neighbor : neighbors[triangle]) {
+        if (parts[neighbor] >= 0) continue;
+        parts[neighbor] = count;
+        open.push_back(neighbor);
       }
     }
     ++count;
   }
-  return panel;
+  return parts;
+}
+
+std::vector<int> panelOfTriangle(const Sheet& sheet) {
+  return connectedTriangles(sheet, [](const Edge& edge) { return edge.crease < 0; });
 }
 
 }  // namespace shell_origami

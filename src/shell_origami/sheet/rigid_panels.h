@@ -5,6 +5,7 @@
 #include <shell_origami/sheet/sheet.h>
 
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace shell_origami {
@@ -29,6 +30,11 @@ double kawasakiError(const Sheet& sheet, int vertex);
 /// Returns the angle of each crease that leaves an inner vertex, counter-clockwise.
 std::vector<double> anglesAround(const Sheet& sheet, int vertex,
                                  const std::vector<double>& crease_angles);
+
+/// Returns the part of each triangle: triangles are of one part where they are connected by edges
+/// that join. Parts are numbered in the order of their first triangles.
+std::vector<int> connectedTriangles(const Sheet& sheet,
+                                    const std::function<bool(const Edge&)>& joins);
 
 /// Returns the panel of each triangle: triangles are of one panel where no crease parts them.
 /// Panels are numbered in the order of their first triangles.
