@@ -31,9 +31,9 @@ def fold(batch, recipe, every=0.1):
         with open(path, 'w') as file:
             file.write(recipe)
         # 3: folded to its end, though not all as it was asked for
-    code = subprocess.run([batch, path, '--out', folder, '--every', str(every)]).returncode
-    if code not in (0, 3):
-        raise RuntimeError('origami_batch ended with %d' % code)
+        code = subprocess.run([batch, path, '--out', folder, '--every', str(every)]).returncode
+        if code not in (0, 3):
+            raise RuntimeError('origami_batch ended with %d' % code)
 
         def read(name):
             with open(os.path.join(folder, name)) as file:
