@@ -1,5 +1,5 @@
 /// \file
-/// What a FOLD file says of the order of layers (faceOrders), which the sheet keeps.
+/// The order of layers that a FOLD file states (faceOrders). The sheet keeps it.
 #pragma once
 
 #include <shell_origami/fold_format/crease_pattern.h>

@@ -22,7 +22,7 @@ class Diagnostics {
 
  private:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
-  /// What takes milliseconds to find out of the paper, as it was at one time.
+  /// Findings about the paper at one time that take milliseconds.
   struct Outcome {
     std::uint64_t edits = 0;
     Positions positions;

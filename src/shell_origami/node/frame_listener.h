@@ -1,5 +1,5 @@
 /// \file
-/// What the node hears of TF frames.
+/// The TF frames that the node listens to.
 #pragma once
 
 #include <ros/node_handle.h>

@@ -61,7 +61,7 @@ OrigamiConfig configOf(const Values& values) {
   return config;
 }
 
-/// What a former run left on the master is none of this one's.
+/// Without the values that a former run left on the master.
 ros::NodeHandle cleared(const ros::NodeHandle& node) {
   node.deleteParam("live");
   return ros::NodeHandle(node, "live");

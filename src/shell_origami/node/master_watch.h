@@ -30,7 +30,7 @@ class MasterWatch {
   void registerAgain() const;
 
   std::optional<int> pid_;  ///< of the master that knows the node
-  /// What it knows of the node.
+  /// The node as the master knows it.
   std::map<std::string, std::string> types_;  ///< of every topic
   std::set<std::string> publications_, subscriptions_, services_;
   std::string service_uri_;

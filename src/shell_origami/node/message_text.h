@@ -1,5 +1,5 @@
 /// \file
-/// What the node says of bad input, which may quote a book.
+/// Messages about bad input, which may be as long as a book.
 #pragma once
 
 #include <string>

@@ -51,12 +51,13 @@ class Services {
   /// may outlive this call where the node ends, and must own what it uses.
   template <class Function>
   auto inNodeThread(Function function);
-  /// What a request gets in the end. \throws std::runtime_error when the node ends before
+  /// Returns the result of a request once it is there. \throws std::runtime_error when the node
+  /// ends before
   template <class Result>
   Result wait(std::future<Result> result) const;
   void waitForFrame(const std::string& frame) const;
 
-  /// What a successful answer says of paper that does not move.
+  /// The end of a successful answer while the paper does not move.
   std::string whilePaused() const;
 
   OrigamiNode& origami_;

@@ -1,5 +1,5 @@
 /// \file
-/// What the start waits for.
+/// The start of a node that waits for a viewer or a recorder.
 #pragma once
 
 #include <shell_origami/node/parameters.h>

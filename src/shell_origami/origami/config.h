@@ -20,7 +20,7 @@ struct SimulationConfig {
   NaturalCurvature rest;  ///< how the sheet is rolled up when it rests
 };
 
-/// What of a configuration may change while the paper moves.
+/// The part of a configuration that may change while the paper moves.
 struct LiveConfig {
   Vector3 gravity = Vector3::Zero();  ///< [m/s^2]
   double air_damping = 0;             ///< [1/s]

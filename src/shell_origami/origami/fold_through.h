@@ -27,7 +27,7 @@ struct LayerFold {
   double angle;  ///< that its crease is to have [rad], valley > 0
 };
 
-/// What carries a fold out.
+/// The folds of single layers that carry a fold out.
 struct FoldPlan {
   std::vector<LayerFold> layers;  ///< one for each panel that is cut, in the order of the panels
   Viewpoint after;                ///< the same view, at a layer that stays

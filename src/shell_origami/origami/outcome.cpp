@@ -17,7 +17,7 @@ constexpr double kMeantFlat = 170 * M_PI / 180;
 /// Sectors that miss Kawasaki's sum by more do not fold flat.
 constexpr double kSectors = M_PI / 180;
 
-/// What the creases of a sheet were to reach [rad]; NaN: a free crease.
+/// The target angles of the creases [rad]; NaN: a free crease.
 struct Targets {
   std::vector<double> asked;
   std::vector<double> meant;  ///< those beyond kMeantFlat at 180 degrees

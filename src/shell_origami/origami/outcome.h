@@ -1,5 +1,5 @@
 /// \file
-/// What folding was asked for and did not reach.
+/// How folded paper falls short of what was asked for.
 #pragma once
 
 #include <shell_origami/origami/simulation.h>

@@ -90,7 +90,7 @@ class Simulation {
   const SimulationConfig& config() const { return config_; }
   const Positions& positions() const { return motion_.positions; }
   const Positions& velocities() const { return motion_.velocities; }
-  /// What of the paper passes through itself. With contact nothing that did not before.
+  /// Pairs of triangles that pass through each other. With contact no pair is added.
   std::vector<TrianglePair> crossings() const;
   /// The parts of the paper that touch, in a fixed order.
   std::vector<Contact> contacts() const;
@@ -116,7 +116,7 @@ class Simulation {
   bool folding() const;
   /// Whether the membrane is softer than the paper's, as it may be while a pattern folds.
   bool soft() const { return compliance_.soft(); }
-  /// What folding has stretched for good.
+  /// By how much folding has stretched the paper for good.
   InPlaneSet::Size inPlaneSet() const { return in_plane_.size(sheet_); }
   /// Whether no ramp runs, the membrane is hard, and speeds (the kinetic energy) and accelerations
   /// (the residual force) are too small to see.

@@ -12,9 +12,9 @@
 
 namespace shell_origami {
 
-/// What the labels of an edited mesh stand for: creases of the sheet before the edit, and those
-/// that a line has made. Creases have no lists of edges while the mesh changes; they are gathered
-/// from the labels afterwards.
+/// The creases that the labels of an edited mesh stand for: creases of the sheet before the edit,
+/// and those that a line has made. Creases have no lists of edges while the mesh changes; they are
+/// gathered from the labels afterwards.
 class CreaseLabels {
  public:
   /// \param old_creases  of the sheet before the edit; must outlive this

@@ -1,5 +1,5 @@
 /// \file
-/// What is written beside the drawn paper.
+/// Texts beside the drawn paper.
 #pragma once
 
 #include <shell_origami/node/messages.h>
@@ -12,7 +12,7 @@
 
 namespace shell_origami {
 
-/// What is drawn on demand.
+/// Markers that are drawn on demand.
 struct MarkerOptions {
   bool vertex_ids = false;      ///< the number of each vertex
   bool crease_labels = false;   ///< name and angle of each crease

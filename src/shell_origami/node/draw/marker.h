@@ -1,5 +1,5 @@
 /// \file
-/// What every marker has.
+/// The fields that all markers have in common.
 #pragma once
 
 #include <geometry_msgs/Point.h>
