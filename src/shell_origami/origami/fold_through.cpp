@@ -56,7 +56,6 @@ class Planner {
  public:
   Planner(const FoldThrough& fold, const Vector3& viewer, const Simulation& simulation)
       : fold_(fold),
-        viewer_(viewer),
         simulation_(simulation),
         sheet_(simulation.sheet()),
         size_(sheet_.size()),
@@ -159,7 +158,6 @@ class Planner {
   }
 
   const FoldThrough& fold_;
-  Vector3 viewer_;
   const Simulation& simulation_;
   const Sheet& sheet_;
   double size_;
