@@ -49,9 +49,9 @@ Run::Run(Recipe recipe)
 bool Run::step() {
   {
     const Timer timer(edit_time_);
-    const auto apply = [this](const Edit& edit) {
-      ++edits_;
-      simulation_.apply(edit);
+    const auto apply = [this](const std::vector<Edit>& edits) {
+      edits_ += edits.size();
+      simulation_.apply(edits);
       return true;
     };
     if (!runner_.update(simulation_, apply)) return false;

@@ -172,8 +172,8 @@ class UndoTest(NodeTest):
         self.assertTrue(goal.starts())
         goal.wait_for_progress(0.5)
         self.origami.do('pause')
-        self.origami.do('undo')  # the second of the two folds
-        self.assertEqual(len(self.origami.state().creases), 1)
+        self.origami.do('undo')  # both folds of the step, which were made together
+        self.assertEqual(len(self.origami.state().creases), 0)
         self.origami.do('resume')
         self.assertIn('the recipe is done', goal.wait()[1])
         state = self.at_rest()
@@ -188,7 +188,7 @@ class UndoTest(NodeTest):
         self.assertTrue(goal.starts())
         goal.wait_for_progress(0.3)
         self.origami.do('pause')
-        self.origami.do('undo', edits=4)  # a pin, two folds, and the strip
+        self.origami.do('undo', edits=3)  # a pin, the folds of a step, and the strip
         self.assertIn('undone', goal.wait()[1])
         self.assertSamePaper(self.origami.state(), before)
 

@@ -162,10 +162,10 @@ void OrigamiNode::keepCheckpoint(bool now) {
   else checkpoint_.keep(run_);
 }
 
-/// Makes an edit of the recipe. Those that take long are begun.
-bool OrigamiNode::applyOfRecipe(const Edit& edit) {
-  if (!std::holds_alternative<SettleEdit>(edit)) {
-    apply(edit);
+/// Makes the edits of a step of the recipe. Settling, which takes long, is begun.
+bool OrigamiNode::applyOfRecipe(const std::vector<Edit>& edits) {
+  if (!std::holds_alternative<SettleEdit>(edits.front())) {
+    apply(edits);
     return true;
   }
   requests_.settleForRecipe(run_.session);
@@ -175,7 +175,7 @@ bool OrigamiNode::applyOfRecipe(const Edit& edit) {
 bool OrigamiNode::continueRecipe() {
   if (!run_.recipe) return true;
   try {
-    const auto make = [this](const Edit& edit) { return applyOfRecipe(edit); };
+    const auto make = [this](const std::vector<Edit>& edits) { return applyOfRecipe(edits); };
     if (!run_.recipe->update(run_.session.simulation(), make)) {
       endRecipe();
       // Nobody wants a finished paper to lie there as fast as the machine can.

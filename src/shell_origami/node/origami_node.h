@@ -35,6 +35,9 @@ class OrigamiNode : private SessionListener {
   const Session& session() const { return run_.session; }
   /// Session::apply(), published on ~edits.
   EditRecord apply(const Edit& edit) { return run_.session.apply(edit); }
+  std::vector<EditRecord> apply(const std::vector<Edit>& edits) {
+    return run_.session.apply(edits);
+  }
   /// Takes over what may change while the node runs: publish_rate, markers, real_time_factor.
   void configure(const NodeConfig& config);
   /// Of the paper as it is now. Zero: there is no ROS time yet.
@@ -91,7 +94,7 @@ class OrigamiNode : private SessionListener {
   void publishPaper(const std::string& kind, const std::string& path = "");
   msg::Edit wholePaper();
   void keepCheckpoint(bool now = false);
-  bool applyOfRecipe(const Edit& edit);
+  bool applyOfRecipe(const std::vector<Edit>& edits);
   enum class Advance { kStepped, kSettles, kFailed };
   Advance advance();
   void halt();

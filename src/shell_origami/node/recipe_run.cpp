@@ -30,9 +30,8 @@ RecipeRun::RecipeRun(Recipe recipe, std::string output, Listener listener)
 RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
     : runner_(readRecipe({checkpoint.at("called"), checkpoint.at("folder"), checkpoint.at("text")},
                          configFrom(checkpoint.at("defaults"))),
-              {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("made"),
-               checkpoint.at("step_start"), viewFrom(checkpoint.at("view")),
-               checkpoint.at("timeouts")}),
+              {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("step_start"),
+               viewFrom(checkpoint.at("view")), checkpoint.at("timeouts")}),
       output_(checkpoint.at("output")),
       start_(ros::SteadyTime::now()),
       start_time_(checkpoint.at("start")) {}
@@ -45,7 +44,6 @@ nlohmann::json RecipeRun::checkpoint() const {
           {"text", source.text},
           {"step", place.step},
           {"started", place.started},
-          {"made", place.made},
           {"step_start", place.start_time},
           {"view", viewJson(place.view)},
           {"output", output_},
@@ -60,9 +58,9 @@ bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& 
     start_time_ = simulation.time();
   }
   before_.reset();
-  const bool goes_on = runner_.update(simulation, [&](const Edit& edit) {
+  const bool goes_on = runner_.update(simulation, [&](const std::vector<Edit>& edits) {
     before_ = runner_.place();
-    const bool made = apply(edit);
+    const bool made = apply(edits);
     if (made) before_.reset();
     return made;
   });

@@ -59,7 +59,7 @@ class RecipeRun {
   double start_time_ = 0;  ///< of the simulation [s]
   /// Where the recipe was before each edit since it began, by the edits' numbers.
   std::map<std::uint64_t, RecipePlace> places_;
-  std::optional<RecipePlace> before_;  ///< an edit that the recipe makes now
+  std::optional<RecipePlace> before_;  ///< edits that the recipe makes now
 };
 
 }  // namespace shell_origami

@@ -1,5 +1,6 @@
 #include <shell_origami/node/session.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace shell_origami {
@@ -40,6 +41,15 @@ EditRecord Session::apply(const Edit& edit) {
   EditRecord made = simulation_.apply(edit);
   keep(std::move(before));
   return record(std::move(made));
+}
+
+std::vector<EditRecord> Session::apply(const std::vector<Edit>& edits) {
+  const bool counts = std::any_of(edits.begin(), edits.end(), countsForUndo);
+  std::optional<BeforeEdit> before = counts ? beforeNext() : std::nullopt;
+  std::vector<EditRecord> records = simulation_.apply(edits);
+  keep(std::move(before));
+  for (EditRecord& made : records) made = record(std::move(made));
+  return records;
 }
 
 EditRecord Session::accept(Simulation edited, EditRecord made) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace shell_origami {
 
@@ -47,7 +48,9 @@ class Session {
   /// Makes an edit (Simulation::apply). Its record has the number, time, steps and revision of the
   /// session.
   EditRecord apply(const Edit& edit);
-  /// The same of an edit that was made on a copy of the simulation.
+  /// Makes edits in order, all of them or, where one is rejected, none. They are undone as one.
+  std::vector<EditRecord> apply(const std::vector<Edit>& edits);
+  /// The same as the first of an edit that was made on a copy of the simulation.
   /// \pre nothing has changed since the copy was made
   EditRecord accept(Simulation edited, EditRecord record);
   /// Simulation::step().
@@ -60,9 +63,9 @@ class Session {
   /// \param bytes  that may be kept to undo edits; at first none
   void setUndoMemory(std::size_t bytes) { history_.setMemory(bytes); }
   /// Makes the paper again as it was before the last edits, but for the live parameters. Edits of
-  /// frames and of live parameters do not count. Returns the number of the first edit undone.
-  /// \param count  of the edits, at least 1
-  /// \throws std::invalid_argument when these are more than are kept
+  /// frames and of live parameters do not count, and edits made together count as one. Returns the
+  /// number of the first edit undone. \param count  of the edits, at least 1 \throws
+  /// std::invalid_argument when these are more than are kept
   std::uint64_t undo(std::uint32_t count);
 
   const Simulation& simulation() const { return simulation_; }

@@ -3,24 +3,12 @@
 #pragma once
 
 #include <shell_origami/origami/fold_plane.h>
-#include <shell_origami/origami/simulation.h>
+#include <shell_origami/origami/viewed_paper.h>
 
 #include <optional>
 #include <vector>
 
 namespace shell_origami {
-
-/// The side from which somebody looks at the paper.
-struct Viewpoint {
-  Vector2 point = Vector2::Zero();  ///< of the flat sheet, whose layer stays as paper is folded [m]
-  bool front = true;                ///< whether that layer shows its front
-};
-
-/// Returns the viewpoint of flat paper that is seen from its front.
-Viewpoint frontOf(const Sheet& sheet);
-/// Returns the direction from the paper to the viewer, of length 1, across the stack of layers.
-/// \throws std::invalid_argument where the viewpoint's layer stands on edge
-Vector3 viewerOf(const Viewpoint& view, const Simulation& simulation);
 
 enum class FoldLayers {
   kAll,   ///< whatever is on the side that moves
@@ -31,11 +19,13 @@ enum class FoldLayers {
 class LayersBesidePlane {
  public:
   /// \param near  what passes the plane by less does not reach beyond it [m]
-  LayersBesidePlane(const Simulation& simulation, const FoldPlane& plane, const Vector3& viewer,
+  LayersBesidePlane(const Sheet& sheet, const ViewedPaper& paper, const FoldPlane& plane,
                     double near);
 
   int panel(std::size_t triangle) const { return panels_[triangle]; }
   bool inFlap(std::size_t triangle) const { return flaps_[triangle] >= 0; }
+  /// Whether its middle is on the side that moves.
+  bool beyond(int triangle) const;
   /// Returns the cosine between a triangle's normal and the viewer: positive where its front shows.
   /// \throws std::invalid_argument where it stands on edge
   double facing(int triangle) const;
@@ -58,15 +48,13 @@ class LayersBesidePlane {
   };
   std::vector<Hit> hitsAt(const Vector3& point) const;
   std::vector<Hit> hitsAtMover() const;
-  bool beyond(int triangle) const;
   void findFlaps(double near);
   void requireOnly(const std::vector<bool>& chosen, const std::vector<Hit>& hits,
                    std::size_t count) const;
 
-  const Simulation& simulation_;
   const Sheet& sheet_;
+  const ViewedPaper& paper_;
   FoldPlane plane_;
-  Vector3 viewer_;
   std::vector<int> panels_, flaps_;  ///< of each triangle; no flap: -1
 };
 

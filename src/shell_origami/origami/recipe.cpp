@@ -128,13 +128,7 @@ bool RecipeRunner::update(const Simulation& simulation, const Apply& apply) {
     if (!place_.started) {
       Edits visitor{simulation, place_.view.value_or(frontOf(simulation.sheet()))};
       const std::vector<Edit> edits = std::visit(visitor, step);
-      // Of a fold through layers that was begun, what it made is found as creases on its plane.
-      if (std::holds_alternative<FoldThroughStep>(step)) place_.made = 0;
-      bool made = true;
-      for (const auto count = static_cast<int>(edits.size()); place_.made < count; ++place_.made) {
-        made = apply(edits[place_.made]) && made;
-      }
-      place_.made = 0;
+      const bool made = edits.empty() || apply(edits);
       place_.started = true;
       place_.view = visitor.view;
       place_.start_time = simulation.time();
@@ -151,8 +145,8 @@ bool RecipeRunner::update(const Simulation& simulation, const Apply& apply) {
 }
 
 bool RecipeRunner::update(Simulation& simulation) {
-  return update(simulation, [&](const Edit& edit) {
-    simulation.apply(edit);
+  return update(simulation, [&](const std::vector<Edit>& edits) {
+    simulation.apply(edits);
     return true;
   });
 }

@@ -94,7 +94,6 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults = {
 struct RecipePlace {
   int step = 0;                   ///< under way, 0-based
   bool started = false;           ///< whether that step's edits are made
-  int made = 0;                   ///< how many of them are, until all are
   double start_time = 0;          ///< of that step [s]
   std::optional<Viewpoint> view;  ///< none: that of the flat sheet's front
   /// Steps before it, 0-based, that ended at their timeout before the paper had settled.
@@ -106,12 +105,13 @@ class RecipeRunner {
  public:
   explicit RecipeRunner(Recipe recipe, const RecipePlace& place = {});
 
-  /// Makes an edit of the recipe. Returns false where that takes long, as a SettleEdit may: the
-  /// edit is then made before the next step and the next update().
-  using Apply = std::function<bool(const Edit& edit)>;
+  /// Makes the edits of a step of the recipe, together or not at all. Returns false where that
+  /// takes long, as a SettleEdit may: the edit is then made before the next step and the next
+  /// update().
+  using Apply = std::function<bool(const std::vector<Edit>& edits)>;
 
   /// Makes the edits that are due now. Returns false once every step of the recipe is done.
-  /// \throws std::invalid_argument when the paper rejects an edit of the recipe.
+  /// \throws std::invalid_argument when the paper rejects edits of the recipe.
   bool update(const Simulation& simulation, const Apply& apply);
   bool update(Simulation& simulation);
 

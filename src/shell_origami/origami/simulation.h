@@ -64,6 +64,8 @@ class Simulation {
 
   /// Makes an edit and returns what it did. Every change of the paper but time passes through here.
   EditRecord apply(const Edit& edit);
+  /// Makes edits in order, all of them or, where one is rejected, none.
+  std::vector<EditRecord> apply(const std::vector<Edit>& edits);
 
   /// Where a function is set, an edit that takes long asks it now and then whether to give up: it
   /// is then rejected.

@@ -40,6 +40,21 @@ EditRecord Simulation::apply(const Edit& edit) {
   return record;
 }
 
+std::vector<EditRecord> Simulation::apply(const std::vector<Edit>& edits) {
+  std::vector<EditRecord> records;
+  if (edits.size() == 1) return {apply(edits[0])};
+  const Snapshot before = snapshot();
+  try {
+    for (const Edit& edit : edits) records.push_back(apply(edit));
+  } catch (const std::invalid_argument&) {
+    std::function<bool()> interrupt = std::move(interrupt_);
+    *this = Simulation(before);
+    interrupt_ = std::move(interrupt);
+    throw;
+  }
+  return records;
+}
+
 FoldEdit Simulation::make(const FoldEdit& edit, EditRecord& record) {
   checkFold(edit);
   FoldEdit made = edit;
