@@ -5,10 +5,14 @@
 #include <shell_origami/origami/fold_plane.h>
 #include <shell_origami/origami/layers.h>
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
 namespace shell_origami {
+
+/// By which layers turn where no angle is given: shut, with some room for layers between [rad].
+constexpr double kShutAngle = 178 * (M_PI / 180);
 
 struct FoldThrough {
   FoldAxiom axiom;
@@ -16,7 +20,7 @@ struct FoldThrough {
   int count = 1;                   ///< of kTop
   Landmark flap;                   ///< of kFlap
   bool behind = false;             ///< the way: away from the viewer instead of towards
-  double angle = 0;                ///< by which the layers turn [rad], inside (0, pi)
+  double angle = kShutAngle;       ///< by which the layers turn [rad], inside (0, pi)
   std::optional<double> duration;  ///< [s]; none: SimulationConfig::fold_duration
 };
 

@@ -1,6 +1,7 @@
 #include <shell_origami/origami/landmark.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/contact/distance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -109,6 +110,24 @@ Vector3 pointInSpace(const Vector2& flat, const Sheet& sheet, const Positions& p
   Vector3 point = Vector3::Zero();
   for (int k = 0; k < 3; ++k) point += place->weights[k] * positions.col(corners[k]);
   return point;
+}
+
+Vector2 nearestFlatPoint(const Vector3& point, const Sheet& sheet, const Positions& positions) {
+  Vector2 nearest = Vector2::Zero();
+  double least = HUGE_VAL;
+  for (const auto& [a, b, c] : sheet.triangles()) {
+    const ClosestPoints closest = closestPoints(
+        PairKind::kVertexFace, {point, positions.col(a), positions.col(b), positions.col(c)});
+    if (closest.distance >= least) continue;
+    least = closest.distance;
+    const auto& flat = sheet.flatPositions();
+    nearest =
+        -closest.weights[1] * flat[a] - closest.weights[2] * flat[b] - closest.weights[3] * flat[c];
+  }
+  if (std::isinf(least)) {
+    reject("the point (", point.x(), ", ", point.y(), ", ", point.z(), ") is too far away");
+  }
+  return nearest;
 }
 
 }  // namespace shell_origami

@@ -4,6 +4,8 @@
 
 #include <shell_origami/sheet/sheet.h>
 
+#include <map>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -27,7 +29,11 @@ struct LinesMeet {
 
 struct Landmark {
   std::variant<Vector2, CornerNear, PartOfWay, LinesMeet> place = Vector2::Zero().eval();
+  std::string name = {};  ///< by which it was given; empty: by its place
 };
+
+/// The landmarks that a recipe has names for.
+using LandmarkNames = std::map<std::string, Landmark>;
 
 /// Returns the landmark's place on the flat sheet [m]. Throws std::invalid_argument with one
 /// sentence if it is off the paper, or lines do not meet.
@@ -40,5 +46,9 @@ std::vector<int> featuresOf(const Sheet& sheet);
 
 /// Returns where a point of the flat sheet is in space [m]. \pre it is on the paper
 Vector3 pointInSpace(const Vector2& flat, const Sheet& sheet, const Positions& positions);
+/// Returns the place on the flat sheet [m] of the paper's point that is nearest to a point in
+/// space. \throws std::invalid_argument where the point is too far away for its distance to be a
+/// number
+Vector2 nearestFlatPoint(const Vector3& point, const Sheet& sheet, const Positions& positions);
 
 }  // namespace shell_origami

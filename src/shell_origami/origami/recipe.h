@@ -67,6 +67,7 @@ struct Recipe {
   SimulationConfig config;
   SimulationConfig defaults;  ///< with which it was read: read so again, it is the same recipe
   View view;
+  LandmarkNames names;
   std::vector<RecipeStep> steps;
   std::set<std::string> stated;  ///< words at its top, such as "sheet": all else is by default
 
@@ -119,6 +120,8 @@ class RecipeRunner {
   const RecipePlace& place() const { return place_; }
   /// Goes on from another place of the same recipe, with the paper as it was there.
   void goTo(const RecipePlace& place) { place_ = place; }
+  /// Looks at the paper as somebody else does.
+  void look(const Viewpoint& view) { place_.view = view; }
   bool finished() const { return place_.step >= static_cast<int>(recipe_.steps.size()); }
   double progress(const Simulation& simulation) const;  ///< 0..1
   std::string doing() const;                            ///< one word for the step under way

@@ -142,9 +142,9 @@ void readRoot(const RecipeReader& reader, const YAML::Node& root, const fs::path
   if (steps.IsDefined() && !steps.IsNull() && !steps.IsSequence()) {
     reader.refuseAt(steps, "steps must be a list");
   }
-  const LandmarkNames landmarks = names.IsNull() ? LandmarkNames() : readNames(reader, names);
+  if (!names.IsNull()) recipe.names = readNames(reader, names);
   for (const YAML::Node& step : steps) {
-    recipe.steps.push_back(readStep(reader, step, config.fold_duration, landmarks));
+    recipe.steps.push_back(readStep(reader, step, config.fold_duration, recipe.names));
   }
 }
 

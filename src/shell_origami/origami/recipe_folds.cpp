@@ -53,7 +53,6 @@ class FoldReader {
   FoldThrough fold(const YAML::Node& node) const {
     FoldThrough fold;
     Entries entries;
-    bool has_angle = false;
     const auto into = [this](std::optional<std::vector<Landmark>>& entry, std::size_t count,
                              const char* what) {
       return [this, &entry, count, what](const YAML::Node& value) {
@@ -82,9 +81,7 @@ class FoldReader {
                           reader_.refuseAt(value, "angle_deg ", angle, " is not inside (0, 180)");
                         }
                         fold.angle = angle * kDegree;
-                        has_angle = true;
                       }}});
-    if (!has_angle) fold.angle = kFlatAngle;
     if (node["flap"].IsDefined() && node["layers"].IsDefined()) {
       reader_.refuseAt(node, "fold_through takes one of layers and flap, not both");
     }
@@ -94,14 +91,11 @@ class FoldReader {
   }
 
  private:
-  /// Of a fold that states no angle: shut, with some room for layers between [rad].
-  static constexpr double kFlatAngle = 178 * kDegree;
-
   Landmark named(const YAML::Node& node) const {
     const std::string name = reader_.text(node, "a point");
     const auto found = names_.find(name);
     if (found == names_.end()) reader_.refuseAt(node, "'", name, "' is none of the recipe's names");
-    return found->second;
+    return {found->second.place, name};
   }
 
   Vector2 point(const YAML::Node& node) const {

@@ -5,13 +5,7 @@
 #include <shell_origami/origami/fold_through.h>
 #include <shell_origami/origami/recipe_reader.h>
 
-#include <map>
-#include <string>
-
 namespace shell_origami {
-
-/// The landmarks that a recipe has names for.
-using LandmarkNames = std::map<std::string, Landmark>;
 
 // Each throws std::invalid_argument with one sentence naming file, line and offending value.
 
