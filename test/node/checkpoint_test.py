@@ -12,6 +12,7 @@ import unittest
 import roslib.packages
 import rospy
 import rostest
+from geometry_msgs.msg import Point
 
 from origami_client import Origami, Recorder, line, wait_until
 from shell_origami import msg
@@ -144,6 +145,16 @@ class CheckpointTest(unittest.TestCase):
         self.assertEqual(origami.state().step, state.step)
         origami.do('reset')
         self.assertEqual(len(origami.state().creases), 0)
+        self.assertEqual(node.end(signal.SIGTERM), 0)
+
+    def test_the_side_that_is_looked_at_is_kept(self):
+        node = self.start(('paused', 'true'), ('checkpoint/period', '1000'))
+        Origami().do('turn_over')
+        self.assertEqual(node.end(signal.SIGINT), 0)
+        node = self.start()
+        points = [msg.Landmark(flat=Point(x, x, 0)) for x in (0, 0.15)]
+        fold = Origami().do('fold_through', axiom='bring', points=points, dry_run=True)
+        self.assertLess(fold.segments[0].angle, 0)
         self.assertEqual(node.end(signal.SIGTERM), 0)
 
     def test_a_damaged_checkpoint_stops_the_start(self):

@@ -20,7 +20,8 @@ if not hasattr(threading.Thread, 'isAlive'):
     threading.Thread.isAlive = threading.Thread.is_alive
 
 SERVICES = {
-    'fold': srv.Fold, 'pin': srv.Pin, 'unpin': srv.Unpin, 'add_vertex': srv.AddVertex,
+    'fold': srv.Fold, 'fold_through': srv.FoldThrough, 'layers': srv.Layers, 'turn_over': Trigger,
+    'pin': srv.Pin, 'unpin': srv.Unpin, 'add_vertex': srv.AddVertex,
     'load': srv.Load, 'save': srv.Save, 'step': srv.Step,
     'settle': Trigger, 'pause': Trigger, 'resume': Trigger, 'reset': Trigger, 'undo': srv.Undo,
 }

@@ -4,10 +4,10 @@ import os
 import random
 
 from dynamic_reconfigure.msg import BoolParameter, Config, DoubleParameter, IntParameter, StrParameter
-from geometry_msgs.msg import Point, Point32, PointStamped, Polygon
+from geometry_msgs.msg import Point, Point32, PointStamped, Polygon, Vector3
 import rospy
 
-from shell_origami.msg import FoldRecipeGoal
+from shell_origami.msg import FoldRecipeGoal, Landmark
 
 NUMBERS = [float('nan'), float('inf'), -float('inf'), 0.0, -0.0, 5e-324, -1e-300, 1e308, -1e308,
            -1.0, 3.141592653589793, 1e-9, 0.05, 1e5, -1e5]
@@ -17,8 +17,11 @@ TEXTS = ['', ' ', '/', '.', '..', '~', 'world', 'paper', 'panel_0', '9 lives', '
 IDS = [0, 1, 5, 1000, 2 ** 31 - 1, 2 ** 31, 2 ** 32 - 1]
 HUGE = 100000
 MOST_VERTICES = 300  # a paper with more creases than that takes its time
-SERVICES = ['fold', 'pin', 'unpin', 'add_vertex', 'load', 'save', 'step', 'undo', 'settle', 'reset']
-RECIPE = ('steps:\n  - pin: {points: [[0, 0]]}\n'
+SERVICES = ['fold', 'fold_through', 'layers', 'turn_over', 'pin', 'unpin', 'add_vertex', 'load', 'save',
+            'step', 'undo', 'settle', 'reset']
+WEIGHTS = [25, 8, 3, 3, 8, 8, 6, 1, 3, 40, 3, 4, 1]
+AXIOMS = {'bring': 2, 'edges': 4, 'across': 4, 'through': 3}
+RECIPE = ('names: {tip: [0, 0]}\nsteps:\n  - pin: {points: [[0, 0]]}\n'
           '  - fold: [{line: [[0.05, 0], [0.05, 0.05]], angle_deg: 60, name: middle}]\n'
           '    duration: 0.3\n  - settle: {timeout: 1}\n  - unpin: all\n')
 
@@ -79,6 +82,13 @@ class RandomRequests(object):
         stamped.header.stamp = rospy.Time(self.random.choice([0, 1, 2 ** 32 - 1]), 0)
         return stamped
 
+    def landmark(self):
+        """Mostly one that makes sense but for its numbers."""
+        r = self.random
+        return r.choice([lambda: Landmark(flat=self.point()), lambda: Landmark(space=self.stamped()),
+                         lambda: Landmark(name=r.choice(['tip', self.text()])),
+                         lambda: Landmark(name=self.text(), flat=self.point(), space=self.stamped())])()
+
     def wild_fields(self, service):
         """Each field is left open as often as not."""
         r = self.random
@@ -86,6 +96,15 @@ class RandomRequests(object):
             'fold': lambda: dict(crease=self.text(), vertices=self.ids(), line=self.points(),
                                  angle=self.number(), duration=self.number(),
                                  stiffness=self.number()),
+            'fold_through': lambda: dict(
+                axiom=r.choice(sorted(AXIOMS) + [self.text()]),
+                points=[self.landmark() for _ in range(r.choice([2, 3, 4, self.count()]))],
+                layers=r.choice(['all', 'top', 'flap', self.text()]), count=r.choice(IDS),
+                flap=self.landmark(), way=r.choice(['front', 'behind', self.text()]),
+                viewer=Vector3(self.number(), self.number(), self.number()), angle=self.number(),
+                duration=self.number(), dry_run=r.random() < 0.5),
+            'layers': lambda: dict(point=self.landmark(),
+                                   viewer=Vector3(self.number(), self.number(), self.number())),
             'pin': lambda: dict(vertices=self.ids(), points=self.points(), region=self.polygon(),
                                 center=self.stamped(), radius=self.number(),
                                 frame_id=self.text()),
@@ -111,6 +130,28 @@ class RandomRequests(object):
         return Point(*(sum(w * getattr(c, axis) for w, c in zip(weights, corners))
                        for axis in 'xyz'))
 
+    def place_on_paper(self, sheet):
+        r = self.random
+        if r.random() < 0.1:
+            return Landmark(name='tip')
+        if r.random() < 0.2:
+            stamped = PointStamped(point=Point(r.uniform(0, 0.15), r.uniform(0, 0.15), r.uniform(0, 0.1)))
+            stamped.header.frame_id = 'world'
+            return Landmark(space=stamped)
+        return Landmark(flat=self.on_paper(sheet))
+
+    def fold_through(self, sheet):
+        r = self.random
+        axiom = r.choice(sorted(AXIOMS))
+        fields = dict(axiom=axiom, points=[self.place_on_paper(sheet) for _ in range(AXIOMS[axiom])],
+                      way=r.choice(['', 'front', 'behind']), angle=r.choice([0, r.uniform(0.1, 2.9)]),
+                      duration=r.choice([0, r.uniform(0, 1)]), dry_run=r.random() < 0.3)
+        if r.random() < 0.1:
+            fields['viewer'] = Vector3(0, 0, r.choice([-1, 1]))
+        layers = r.choice([{}, {}, dict(layers='top', count=r.randrange(1, 3)),
+                           dict(layers='flap', flap=self.place_on_paper(sheet))])
+        return dict(fields, **layers)
+
     def sensible_fields(self, service, sheet):
         r = self.random
         vertices = range(len(sheet.flat_positions))
@@ -120,6 +161,8 @@ class RandomRequests(object):
                 lambda: dict(vertices=r.sample(vertices, 2)),
                 lambda: dict(crease=r.choice(sheet.creases).name if sheet.creases else 'all')])()
             return dict(where, angle=r.uniform(-2.9, 2.9), duration=r.choice([0, r.uniform(0, 1)]))
+        if service == 'fold_through':
+            return self.fold_through(sheet)
         if service == 'pin':
             return r.choice([
                 lambda: dict(vertices=r.sample(vertices, r.randrange(1, 4))),
@@ -130,6 +173,7 @@ class RandomRequests(object):
             edge = list(r.choice(sheet.triangles).vertex_indices)
             return dict(edge=r.sample(edge, 2), fraction=r.uniform(0.1, 0.9))
         return {
+            'layers': lambda: dict(point=self.place_on_paper(sheet)),
             'load': lambda: dict(path=r.choice(self.papers)),
             'save': lambda: dict(path=r.choice(self.papers[1:])),
             'step': lambda: dict(steps=r.randrange(1, 12)),
@@ -144,7 +188,7 @@ class RandomRequests(object):
         if r.random() < 0.4:
             service = r.choice(SERVICES[:-2])
             return service, self.wild_fields(service)
-        service = r.choices(SERVICES, weights=[30, 8, 8, 6, 1, 3, 40, 3, 4, 1])[0]
+        service = r.choices(SERVICES, weights=WEIGHTS)[0]
         return service, self.sensible_fields(service, sheet)
 
     # What comes by topics.

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The README's rosservice lines run as they stand."""
+"""The rosservice lines of README.md and doc/folding.md run as they stand."""
 
 import os
 import re
@@ -10,22 +10,35 @@ import rostest
 
 from origami_client import NodeTest
 
-README = os.path.join(os.path.dirname(os.path.realpath(__file__)), '..', '..', 'README.md')
-SERVICES = {'fold', 'pin', 'unpin', 'add_vertex', 'load', 'save', 'step', 'pause', 'resume', 'reset',
-            'settle'}
+ROOT = os.path.join(os.path.dirname(os.path.realpath(__file__)), '..', '..')
+# A request may go on over several lines.
+COMMAND = re.compile(r'^(?:rosservice call [^"\n]*(?:"[^"]*")?|sleep \d+)$', re.MULTILINE)
 
 
 class ReadmeTest(NodeTest):
-    def test_every_line_succeeds(self):
-        with open(README) as readme:
-            lines = re.findall(r'^rosservice call .*$', readme.read(), re.MULTILINE)
+    def run_lines_of(self, page):
+        """The services that were called."""
+        with open(os.path.join(ROOT, page)) as text:
+            commands = COMMAND.findall(text.read())
+        self.origami.do('resume')
         called = set()
-        for command in lines:
+        for command in commands:
             answer = subprocess.run(command, shell=True, stdout=subprocess.PIPE,
                                     stderr=subprocess.STDOUT, universal_newlines=True)
+            if command.startswith('sleep'):
+                continue
             self.assertIn('success: True', answer.stdout, '%s\n%s' % (command, answer.stdout))
             called.add(re.match(r'rosservice call /origami/(\w+)', command).group(1))
-        self.assertEqual(called, SERVICES)
+        return called
+
+    def test_every_line_of_the_readme_succeeds(self):
+        self.assertEqual(self.run_lines_of('README.md'),
+                         {'fold', 'pin', 'unpin', 'add_vertex', 'load', 'save', 'step', 'pause', 'resume',
+                          'reset', 'settle'})
+
+    def test_every_line_about_folding_succeeds(self):
+        self.assertEqual(self.run_lines_of('doc/folding.md'),
+                         {'fold_through', 'layers', 'turn_over', 'undo', 'reset'})
 
 
 if __name__ == '__main__':

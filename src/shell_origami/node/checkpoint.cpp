@@ -61,7 +61,8 @@ void Checkpoint::keep(const Run& run) {
 }
 
 void Checkpoint::write(const Run& run) {
-  const std::array<std::uint64_t, 3> state = {run.session.steps(), run.session.edits(), run.paused};
+  const std::array<std::uint64_t, 4> state = {run.session.steps(), run.session.edits(), run.paused,
+                                              run.session.view().front};
   if (path_.empty() || kept_ == state) return;
   try {
     std::string bytes;

@@ -39,7 +39,8 @@ class Checkpoint {
   std::string path_;
   double period_;
   ros::SteadyTime last_ = ros::SteadyTime::now();
-  std::optional<std::array<std::uint64_t, 3>> kept_;  ///< steps, edits and pause that it holds
+  /// Steps, edits, pause and side that it holds.
+  std::optional<std::array<std::uint64_t, 4>> kept_;
 };
 
 }  // namespace shell_origami

@@ -22,13 +22,6 @@ geometry_msgs::Point32 point32(double x, double y, double z) {
   return point;
 }
 
-/// Refuses z as well, which is not used: a NaN there tells of an error elsewhere.
-template <class Point>
-void requireFinite(const std::string& name, const Point& p) {
-  if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return;
-  reject(name, " is (", p.x, ", ", p.y, ", ", p.z, "), but must be finite");
-}
-
 template <class Point>
 std::vector<Vector2> flatPoints(const std::string& name, const std::vector<Point>& points) {
   std::vector<Vector2> result;

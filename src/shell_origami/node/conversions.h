@@ -2,6 +2,7 @@
 /// Between the words of the core and the messages. All units are SI and radians on both sides.
 #pragma once
 
+#include <shell_origami/base/error.h>
 #include <shell_origami/node/messages.h>
 #include <shell_origami/node/session.h>
 #include <shell_origami/origami/simulation.h>
@@ -10,6 +11,7 @@
 #include <geometry_msgs/Wrench.h>
 #include <std_msgs/Header.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +26,13 @@ void addContactForces(const Simulation& simulation, bool pressures, bool points,
                       msg::SheetState& message);
 msg::Energy energyMessage(const Session& session, const StepReport& step, double real_time_factor,
                           const std_msgs::Header& header);
+
+/// Rejects z as well where it is not used: a NaN there tells of an error elsewhere.
+template <class Point>
+void requireFinite(const std::string& name, const Point& p) {
+  if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return;
+  reject(name, " is (", p.x, ", ", p.y, ", ", p.z, "), but must be finite");
+}
 
 /// The alternatives of a request: their names, and whether each is given.
 /// \throws std::invalid_argument unless exactly one is.

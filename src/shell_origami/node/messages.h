@@ -1,7 +1,7 @@
 /// \file
 /// The package's messages as msg::Sheet, msg::Fold and so on. catkin generates them straight into
-/// namespace shell_origami, where Sheet, Crease, Edit and View are words of the core, so this is
-/// the only file that includes them.
+/// namespace shell_origami, where some of these are words of the core, so this is the only file
+/// that includes them.
 #pragma once
 
 #include <geometry_msgs/PointStamped.h>
@@ -13,12 +13,18 @@
 #define Crease CreaseMessage
 #define Edit EditMessage
 #define View ViewMessage
+#define Landmark LandmarkMessage
+#define FoldThrough FoldThroughService
 #include <shell_origami/AddVertex.h>
 #include <shell_origami/ContactPoint.h>
 #include <shell_origami/Edit.h>
 #include <shell_origami/Energy.h>
+#include <shell_origami/FlatSegment.h>
 #include <shell_origami/Fold.h>
 #include <shell_origami/FoldRecipeAction.h>
+#include <shell_origami/FoldThrough.h>
+#include <shell_origami/Landmark.h>
+#include <shell_origami/Layers.h>
 #include <shell_origami/Load.h>
 #include <shell_origami/Picked.h>
 #include <shell_origami/Pin.h>
@@ -29,6 +35,8 @@
 #include <shell_origami/Undo.h>
 #include <shell_origami/Unpin.h>
 #include <shell_origami/View.h>
+#undef FoldThrough
+#undef Landmark
 #undef View
 #undef Edit
 #undef Crease
@@ -39,11 +47,13 @@ namespace msg {
 
 using Crease = CreaseMessage;
 using Edit = EditMessage;
+using Landmark = LandmarkMessage;
 using Sheet = SheetMessage;
 using View = ViewMessage;
 using ::shell_origami::ContactPoint;
 using ::shell_origami::CreaseState;
 using ::shell_origami::Energy;
+using ::shell_origami::FlatSegment;
 using ::shell_origami::FoldRecipeAction;
 using ::shell_origami::FoldRecipeFeedback;
 using ::shell_origami::FoldRecipeGoal;
@@ -53,6 +63,8 @@ using ::shell_origami::SheetState;
 
 using ::shell_origami::AddVertex;
 using ::shell_origami::Fold;
+using FoldThrough = FoldThroughService;
+using ::shell_origami::Layers;
 using ::shell_origami::Load;
 using ::shell_origami::Pin;
 using ::shell_origami::Save;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,7 @@ OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
       start_wait_(config),
       waiting_(start_wait_.wanted() && !run_.paused) {
   run_.session.setListener(this);
+  if (run_.recipe) run_.session.setNames(run_.recipe->recipe().names);
   run_.session.setUndoMemory(static_cast<std::size_t>(config.undo_memory * 1e6));
   run_.paused = run_.paused || waiting_;
   const Sheet& sheet = run_.session.simulation().sheet();
@@ -174,18 +176,32 @@ bool OrigamiNode::applyOfRecipe(const std::vector<Edit>& edits) {
 
 bool OrigamiNode::continueRecipe() {
   if (!run_.recipe) return true;
+  bool goes_on = true;
+  std::optional<std::string> failure;
+  run_.recipe->look(run_.session.view());
   try {
     const auto make = [this](const std::vector<Edit>& edits) { return applyOfRecipe(edits); };
-    if (!run_.recipe->update(run_.session.simulation(), make)) {
-      endRecipe();
-      // Nobody wants a finished paper to lie there as fast as the machine can.
-      if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) halt();
-    }
+    goes_on = run_.recipe->update(run_.session.simulation(), make);
   } catch (const std::exception& error) {
-    stop(error.what());
+    failure = error.what();
+  }
+  run_.session.look(run_.recipe->view());
+  if (failure) {
+    stop(*failure);
     return false;
   }
+  if (!goes_on) {
+    endRecipe();
+    // Nobody wants a finished paper to lie there as fast as the machine can.
+    if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) halt();
+  }
   return true;
+}
+
+void OrigamiNode::turnOver() {
+  Viewpoint view = run_.session.view();
+  view.front = !view.front;
+  run_.session.look(view);
 }
 
 /// None is under way any more by the time the listener hears of it.
@@ -208,6 +224,7 @@ void OrigamiNode::startRecipe(Recipe recipe, const std::string& path,
   if (recipe.states("sheet")) replacePaper(paperOf(recipe), path);
   const bool turns = (recipe.states("sheet") || recipe.states("view")) && publishView(&recipe) &&
                      start_wait_.waitForTurn(publishers_);
+  if (recipe.states("names")) run_.session.setNames(recipe.names);
   run_.recipe.emplace(std::move(recipe), "", std::move(listener));
   if (waiting_) return;
   if (turns) {

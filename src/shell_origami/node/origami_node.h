@@ -38,6 +38,11 @@ class OrigamiNode : private SessionListener {
   std::vector<EditRecord> apply(const std::vector<Edit>& edits) {
     return run_.session.apply(edits);
   }
+  FoldThroughRecord foldThrough(const FoldThrough& fold, const Viewpoint& view) {
+    return run_.session.foldThrough(fold, view);
+  }
+  /// Looks at the paper's other side from now on.
+  void turnOver();
   /// Takes over what may change while the node runs: publish_rate, markers, real_time_factor.
   void configure(const NodeConfig& config);
   /// Of the paper as it is now. Zero: there is no ROS time yet.

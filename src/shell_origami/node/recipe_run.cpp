@@ -9,20 +9,6 @@
 #include <utility>
 
 namespace shell_origami {
-namespace {
-
-nlohmann::json viewJson(const std::optional<Viewpoint>& view) {
-  if (!view) return nullptr;
-  return {{"x", view->point.x()}, {"y", view->point.y()}, {"front", view->front}};
-}
-
-std::optional<Viewpoint> viewFrom(const nlohmann::json& json) {
-  if (json.is_null()) return std::nullopt;
-  const double x = json.at("x"), y = json.at("y");
-  return Viewpoint{Vector2(x, y), json.at("front")};
-}
-
-}  // namespace
 
 RecipeRun::RecipeRun(Recipe recipe, std::string output, Listener listener)
     : runner_(std::move(recipe)), output_(std::move(output)), listener_(std::move(listener)) {}
@@ -31,7 +17,7 @@ RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
     : runner_(readRecipe({checkpoint.at("called"), checkpoint.at("folder"), checkpoint.at("text")},
                          configFrom(checkpoint.at("defaults"))),
               {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("step_start"),
-               viewFrom(checkpoint.at("view")), checkpoint.at("timeouts")}),
+               std::nullopt, checkpoint.at("timeouts")}),
       output_(checkpoint.at("output")),
       start_(ros::SteadyTime::now()),
       start_time_(checkpoint.at("start")) {}
@@ -39,17 +25,11 @@ RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
 nlohmann::json RecipeRun::checkpoint() const {
   const RecipeText& source = recipe().source;
   const RecipePlace& place = runner_.place();
-  return {{"called", source.called},
-          {"folder", source.folder},
-          {"text", source.text},
-          {"step", place.step},
-          {"started", place.started},
-          {"step_start", place.start_time},
-          {"view", viewJson(place.view)},
-          {"output", output_},
-          {"start", start_time_},
-          {"timeouts", place.timeouts},
-          {"defaults", toJson(recipe().defaults)}};
+  return {{"called", source.called},    {"folder", source.folder},
+          {"text", source.text},        {"step", place.step},
+          {"started", place.started},   {"step_start", place.start_time},
+          {"output", output_},          {"start", start_time_},
+          {"timeouts", place.timeouts}, {"defaults", toJson(recipe().defaults)}};
 }
 
 bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& apply) {

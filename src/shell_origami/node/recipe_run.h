@@ -23,10 +23,15 @@ class RecipeRun {
 
   /// \param output  folder for the results; empty: none are written
   RecipeRun(Recipe recipe, std::string output, Listener listener = nullptr);
-  /// Goes on where checkpoint() was taken; nobody listens.
+  /// Goes on where checkpoint() was taken; nobody listens. The view is the session's to keep.
   /// \throws std::invalid_argument, nlohmann::json::exception
   explicit RecipeRun(const nlohmann::json& checkpoint);
   nlohmann::json checkpoint() const;
+
+  /// Looks at the paper as somebody else does.
+  void look(const Viewpoint& view) { runner_.look(view); }
+  /// The view after the last update(). \pre there was one
+  const Viewpoint& view() const { return *runner_.place().view; }
 
   /// Does what is due before the next step. Returns false once the recipe is over.
   /// \throws std::exception when the paper refuses an edit or the results cannot be written.

@@ -5,6 +5,7 @@
 #include <shell_origami/node/conversions.h>
 #include <shell_origami/node/message_text.h>
 #include <shell_origami/node/tf_utilities.h>
+#include <shell_origami/origami/layer_stack.h>
 #include <shell_origami/origami/report.h>
 
 #include <algorithm>
@@ -55,6 +56,17 @@ std::string restAngle(double angle) {
   return rest == angle ? text : text + ", the most that a crease rests at";
 }
 
+/// The creases of several folds, each once.
+std::vector<std::uint32_t> creaseIds(const std::vector<EditRecord>& folds) {
+  std::vector<std::uint32_t> ids;
+  for (const EditRecord& fold : folds) {
+    for (std::uint32_t id : fold.crease_ids) {
+      if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    }
+  }
+  return ids;
+}
+
 /// The path of a file on the node's machine. A relative one is relative to the node's working
 /// directory, which messages then show.
 std::string filePath(const std::string& path) {
@@ -87,6 +99,9 @@ Services::Services(ros::NodeHandle& node, OrigamiNode& origami, HeldFrames& held
   waiting.setCallbackQueue(&queue_);
   servers_ = {
       node.advertiseService("fold", &Services::fold, this),
+      waiting.advertiseService("fold_through", &Services::foldThrough, this),
+      waiting.advertiseService("layers", &Services::layers, this),
+      node.advertiseService("turn_over", &Services::turnOver, this),
       waiting.advertiseService("pin", &Services::pin, this),
       node.advertiseService("unpin", &Services::unpin, this),
       node.advertiseService("add_vertex", &Services::addVertex, this),
@@ -134,6 +149,72 @@ bool Services::fold(msg::Fold::Request& request, msg::Fold::Response& response) 
     return "folding " + count(fold.crease_ids.size(), "crease", "creases") + " of " +
            vertexCount(fold.vertices.size()) + parts + " to " + restAngle(request.angle) +
            whilePaused();
+  });
+}
+
+RequestContext Services::context() const {
+  return {origami_.session(), origami_.config().world_frame, tf_};
+}
+
+bool Services::foldThrough(msg::FoldThrough::Request& request,
+                           msg::FoldThrough::Response& response) {
+  return answer("fold_through", response, [&] {
+    for (const std::string& frame : framesOf(request)) waitForFrame(frame);
+    response = inNodeThread([this, request] { return foldThroughNow(request); });
+    return response.message;
+  });
+}
+
+msg::FoldThrough::Response Services::foldThroughNow(const msg::FoldThrough::Request& request) {
+  const Session& session = origami_.session();
+  const FoldThrough fold = foldThroughFrom(request, context());
+  const Viewpoint view = viewFrom(request.viewer, session);
+  msg::FoldThrough::Response response;
+  const auto lines = [&](const FoldPlan& plan) {
+    response.segments = segmentMessages(plan);
+    return count(plan.layers.size(), "line", "lines");
+  };
+  if (request.dry_run) {
+    response.message = "would fold along " + lines(planFold(fold, view, session.simulation())) +
+                       " by " + restAngle(fold.angle) + "; nothing is changed";
+  } else {
+    const FoldThroughRecord made = origami_.foldThrough(fold, view);
+    response.crease_ids = creaseIds(made.folds);
+    response.message =
+        "folding along " + lines(made.plan) + " by " + restAngle(fold.angle) + whilePaused();
+  }
+  response.revision = session.revision();
+  response.edit = session.edits();
+  return response;
+}
+
+bool Services::layers(msg::Layers::Request& request, msg::Layers::Response& response) {
+  return answer("layers", response, [&] {
+    waitForFrame(request.point.space.header.frame_id);
+    response = inNodeThread([this, request] { return layersNow(request); });
+    return count(response.panels.size(), "layer", "layers");
+  });
+}
+
+msg::Layers::Response Services::layersNow(const msg::Layers::Request& request) const {
+  const Session& session = origami_.session();
+  const Landmark point = landmarkFrom("point", request.point, context());
+  const Vector3 viewer = viewerOf(viewFrom(request.viewer, session), session.simulation());
+  msg::Layers::Response response;
+  double before = 0;
+  for (const StackedLayer& layer : layersAt(point, viewer, session.simulation())) {
+    response.panels.push_back(static_cast<std::uint32_t>(layer.panel));
+    response.flat_points.push_back(pointMessage({layer.flat.x(), layer.flat.y(), 0}));
+    response.gaps.push_back(layer.depth - before);
+    before = layer.depth;
+  }
+  return response;
+}
+
+bool Services::turnOver(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer("turn_over", response, [&] {
+    origami_.turnOver();
+    return std::string("the other side of the paper is looked at from now on");
   });
 }
 

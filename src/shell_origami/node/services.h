@@ -2,6 +2,7 @@
 /// The node's services. A rejected request changes nothing and says why.
 #pragma once
 
+#include <shell_origami/node/fold_requests.h>
 #include <shell_origami/node/held_frames.h>
 #include <shell_origami/node/origami_node.h>
 
@@ -19,8 +20,8 @@
 namespace shell_origami {
 
 /// Most are answered in the node's own thread. Those that may wait, of which the answer is the end
-/// (step, settle, load) or which wait for a frame (pin), are called in threads of their own and
-/// reach the paper through the node's.
+/// (step, settle, load) or which wait for a frame (pin, fold_through, layers), are called in
+/// threads of their own and reach the paper through the node's.
 class Services {
  public:
   /// \param tf  what is heard on /tf; must live as long
@@ -33,6 +34,9 @@ class Services {
 
  private:
   bool fold(msg::Fold::Request& request, msg::Fold::Response& response);
+  bool foldThrough(msg::FoldThrough::Request& request, msg::FoldThrough::Response& response);
+  bool layers(msg::Layers::Request& request, msg::Layers::Response& response);
+  bool turnOver(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool pin(msg::Pin::Request& request, msg::Pin::Response& response);
   bool unpin(msg::Unpin::Request& request, msg::Unpin::Response& response);
   bool addVertex(msg::AddVertex::Request& request, msg::AddVertex::Response& response);
@@ -57,6 +61,11 @@ class Services {
   Result wait(std::future<Result> result) const;
   void waitForFrame(const std::string& frame) const;
 
+  // Called in the node's thread.
+  msg::FoldThrough::Response foldThroughNow(const msg::FoldThrough::Request& request);
+  msg::Layers::Response layersNow(const msg::Layers::Request& request) const;
+
+  RequestContext context() const;
   /// The end of a successful answer while the paper does not move.
   std::string whilePaused() const;
 

@@ -4,6 +4,18 @@
 #include <utility>
 
 namespace shell_origami {
+namespace {
+
+nlohmann::json viewJson(const Viewpoint& view) {
+  return {{"x", view.point.x()}, {"y", view.point.y()}, {"front", view.front}};
+}
+
+Viewpoint viewpointFrom(const nlohmann::json& json) {
+  const double x = json.at("x"), y = json.at("y");
+  return {Vector2(x, y), json.at("front")};
+}
+
+}  // namespace
 
 bool countsForUndo(const Edit& edit) {
   return !std::holds_alternative<CarryEdit>(edit) && !std::holds_alternative<ConfigureEdit>(edit);
@@ -11,12 +23,14 @@ bool countsForUndo(const Edit& edit) {
 
 Session::Session(Simulation simulation)
     : simulation_(std::move(simulation)),
-      original_(std::make_shared<const Snapshot>(simulation_.snapshot())) {}
+      original_(std::make_shared<const Snapshot>(simulation_.snapshot())),
+      view_(frontOf(simulation_.sheet())) {}
 
 Session::Session(const nlohmann::json& json)
     : simulation_(snapshotFrom(json.at("now"))),
       original_(std::make_shared<const Snapshot>(
           json.count("original") ? snapshotFrom(json.at("original")) : simulation_.snapshot())),
+      view_(viewpointFrom(json.at("view"))),
       time_before_(json.at("time_before")),
       edits_(json.at("edits")),
       counters_before_(countersFrom(json.at("counters_before"))),
@@ -27,6 +41,7 @@ nlohmann::json Session::toJson() const {
           {"time_before", time_before_},
           {"counters_before", shell_origami::toJson(counters_before_)},
           {"edits", edits_},
+          {"view", viewJson(view_)},
           {"revision_before", revision_before_}};
 }
 
@@ -52,6 +67,14 @@ std::vector<EditRecord> Session::apply(const std::vector<Edit>& edits) {
   return records;
 }
 
+FoldThroughRecord Session::foldThrough(const FoldThrough& fold, const Viewpoint& view) {
+  FoldPlan plan = planFold(fold, view, simulation_);
+  const std::vector<FoldEdit> folds = foldEdits(plan, fold);
+  std::vector<EditRecord> made = apply(std::vector<Edit>(folds.begin(), folds.end()));
+  look(plan.after);
+  return {std::move(plan), std::move(made)};
+}
+
 EditRecord Session::accept(Simulation edited, EditRecord made) {
   keep(beforeNext());
   simulation_ = std::move(edited);
@@ -60,7 +83,7 @@ EditRecord Session::accept(Simulation edited, EditRecord made) {
 
 std::optional<BeforeEdit> Session::beforeNext() const {
   if (!history_.keeps()) return std::nullopt;
-  return BeforeEdit{edits_ + 1, simulation_.snapshot(), original_};
+  return BeforeEdit{edits_ + 1, simulation_.snapshot(), original_, view_};
 }
 
 void Session::keep(std::optional<BeforeEdit> before) {
@@ -80,6 +103,8 @@ void Session::replace(Simulation simulation, const std::string& path) {
   keep(beforeNext());
   follow(std::move(simulation));
   original_ = std::make_shared<const Snapshot>(simulation_.snapshot());
+  names_.clear();
+  look(frontOf(simulation_.sheet()));
   if (listener_) listener_->onLoad(path);
 }
 
@@ -88,6 +113,7 @@ void Session::reset() {
   Snapshot original = *original_;
   original.config = simulation_.config();
   follow(Simulation(original));
+  look(frontOf(simulation_.sheet()));
   if (listener_) listener_->onReset();
 }
 
@@ -98,6 +124,7 @@ std::uint64_t Session::undo(std::uint32_t count) {
   if (!(liveConfigOf(paper.config()) == live)) paper.configure(live);
   follow(std::move(paper));
   original_ = std::move(before.original);
+  look(before.view);
   if (listener_) listener_->onUndo(before.edit);
   return before.edit;
 }

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <shell_origami/node/undo_history.h>
+#include <shell_origami/origami/fold_through.h>
 #include <shell_origami/origami/simulation.h>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
@@ -29,8 +31,15 @@ class SessionListener {
   virtual void onUndo(std::uint64_t edit) = 0;
 };
 
-/// One paper at a time. Time, counters, edits and revision keep growing when another takes its
-/// place, and when edits are undone. Nothing else changes a node's paper.
+/// A fold through layers that was made.
+struct FoldThroughRecord {
+  FoldPlan plan;
+  std::vector<EditRecord> folds;  ///< of its layers
+};
+
+/// One paper at a time, and the side from which somebody looks at it. Time, counters, edits and
+/// revision keep growing when another takes its place, and when edits are undone. Nothing else
+/// changes a node's paper.
 class Session {
  public:
   explicit Session(Simulation simulation);
@@ -50,23 +59,34 @@ class Session {
   EditRecord apply(const Edit& edit);
   /// Makes edits in order, all of them or, where one is rejected, none. They are undone as one.
   std::vector<EditRecord> apply(const std::vector<Edit>& edits);
+  /// Folds through layers as somebody sees them, who from then on looks at what stays.
+  FoldThroughRecord foldThrough(const FoldThrough& fold, const Viewpoint& view);
   /// The same as the first of an edit that was made on a copy of the simulation.
   /// \pre nothing has changed since the copy was made
   EditRecord accept(Simulation edited, EditRecord record);
   /// Simulation::step().
   StepReport step() { return simulation_.step(); }
-  /// Puts another paper in the place of this one.
+  /// Puts another paper in the place of this one. It is seen from its front.
   /// \param path  of the file it is from; empty: it is from none
   void replace(Simulation simulation, const std::string& path);
-  /// Makes the paper again as it was when it was loaded.
+  /// Makes the paper again as it was when it was loaded, seen from its front.
   void reset();
   /// \param bytes  that may be kept to undo edits; at first none
   void setUndoMemory(std::size_t bytes) { history_.setMemory(bytes); }
   /// Makes the paper again as it was before the last edits, but for the live parameters. Edits of
-  /// frames and of live parameters do not count, and edits made together count as one. Returns the
-  /// number of the first edit undone. \param count  of the edits, at least 1 \throws
-  /// std::invalid_argument when these are more than are kept
+  /// frames and of live parameters do not count, edits made together count as one. Returns the
+  /// number of the first edit undone.
+  /// \param count  of the edits, at least 1
+  /// \throws std::invalid_argument when these are more than are kept
   std::uint64_t undo(std::uint32_t count);
+
+  /// Landmarks that have names on this paper.
+  const LandmarkNames& names() const { return names_; }
+  void setNames(LandmarkNames names) { names_ = std::move(names); }
+
+  const Viewpoint& view() const { return view_; }
+  /// Looks at the paper from another side from now on.
+  void look(const Viewpoint& view) { view_ = view; }
 
   const Simulation& simulation() const { return simulation_; }
   /// The paper as it was loaded.
@@ -87,6 +107,8 @@ class Session {
 
   Simulation simulation_;
   std::shared_ptr<const Snapshot> original_;
+  Viewpoint view_;
+  LandmarkNames names_;
   UndoHistory history_;
   double time_before_ = 0;
   std::uint64_t edits_ = 0;

@@ -2,6 +2,7 @@
 /// The papers before the last edits, as far back as memory goes.
 #pragma once
 
+#include <shell_origami/origami/layers.h>
 #include <shell_origami/origami/snapshot.h>
 
 #include <cstdint>
@@ -12,9 +13,10 @@ namespace shell_origami {
 
 /// All that an edit may change.
 struct BeforeEdit {
-  std::uint64_t edit;                        ///< its number
+  std::uint64_t edit;                        ///< its number; the first one's of edits made together
   Snapshot paper;                            ///< before it
   std::shared_ptr<const Snapshot> original;  ///< how that paper was when it was loaded
+  Viewpoint view;
 };
 
 class UndoHistory {
