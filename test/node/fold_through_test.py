@@ -137,6 +137,7 @@ class FoldThroughTest(NodeTest):
             nearest = min(math.hypot(place[0] - x, place[1] - y) for x, y in places)
             self.assertLess(nearest, 5e-3, '%s of %s' % (place, places))
         self.assertLess(math.hypot(places[-1][0] - 0.02, places[-1][1] - 0.03), 1e-9)  # which stayed
+        self.assertEqual(len(self.origami.do('layers', point=flat(0, 0)).panels), 4)
         behind = self.origami.do('layers', point=flat(0.02, 0.03), viewer=Vector3(0, 0, -1))
         self.assertEqual(behind.panels, answer.panels[::-1])
 

@@ -164,7 +164,8 @@ class FuzzRequestsTest(NodeTest):
             except Exception as error:
                 raise Broken('call %d of seed %d, %.2000s: %s' % (number, seed, self.asked, error))
         rospy.loginfo('%s', ', '.join('%s %d' % entry for entry in sorted(self.seen.items())))
-        for service in ('fold', 'pin', 'unpin', 'add_vertex', 'load', 'save', 'step', 'settle'):
+        for service in ('fold', 'fold_through', 'layers', 'turn_over', 'pin', 'unpin', 'add_vertex', 'load',
+                        'save', 'step', 'settle'):
             self.assertGreater(self.seen[service + ' done'], 0, service)
 
     def test_requests_that_are_no_yaml(self):

@@ -199,10 +199,10 @@ bool Services::layers(msg::Layers::Request& request, msg::Layers::Response& resp
 msg::Layers::Response Services::layersNow(const msg::Layers::Request& request) const {
   const Session& session = origami_.session();
   const Landmark point = landmarkFrom("point", request.point, context());
-  const Vector3 viewer = viewerOf(viewFrom(request.viewer, session), session.simulation());
+  const Viewpoint view = viewFrom(request.viewer, session);
   msg::Layers::Response response;
   double before = 0;
-  for (const StackedLayer& layer : layersAt(point, viewer, session.simulation())) {
+  for (const StackedLayer& layer : layersAt(point, view, session.simulation())) {
     response.panels.push_back(static_cast<std::uint32_t>(layer.panel));
     response.flat_points.push_back(pointMessage({layer.flat.x(), layer.flat.y(), 0}));
     response.gaps.push_back(layer.depth - before);

@@ -47,21 +47,22 @@ void mergeTriangles(std::vector<StackedLayer>& layers) {
 
 }  // namespace
 
-std::vector<StackedLayer> layersAt(const Landmark& point, const Vector3& viewer,
+std::vector<StackedLayer> layersAt(const Landmark& point, const Viewpoint& view,
                                    const Simulation& simulation) {
   const Sheet& sheet = simulation.sheet();
-  const Positions& x = simulation.positions();
-  const Vector3 place = pointInSpace(flatPoint(point, sheet), sheet, x);
+  const Vector2 flat = flatPoint(point, sheet);
+  const ViewedPaper paper = viewedPaper(view, simulation);
+  const Vector3 place = pointInSpace(flat, sheet, paper.positions);
   const std::vector<int> panels = panelOfTriangle(sheet);
   std::vector<StackedLayer> layers;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Triangle& t = sheet.triangles()[i];
-    const std::optional<Vector3> weights = weightsAt(place, viewer, t, x);
+    const std::optional<Vector3> weights = weightsAt(place, paper.viewer, t, paper.positions);
     if (!weights) continue;
     StackedLayer layer{panels[i], Vector2::Zero(), 0};
     for (int k = 0; k < 3; ++k) {
       layer.flat += (*weights)[k] * sheet.flatPositions()[t[k]];
-      layer.depth -= (*weights)[k] * viewer.dot(x.col(t[k]));
+      layer.depth -= (*weights)[k] * paper.heights[t[k]];
     }
     layers.push_back(layer);
   }
@@ -85,11 +86,11 @@ Viewpoint viewFrom(const Vector3& from, const Simulation& simulation) {
   double most = 0, cosine = 0;
   for (std::size_t i = 0; i < sheet.triangles().size(); ++i) {
     const Triangle& t = sheet.triangles()[i];
-    const Vector3 u = x.col(t[1]) - x.col(t[0]), v = x.col(t[2]) - x.col(t[0]);
-    const double faces = u.cross(v).dot(from.normalized());
+    const Vector3 normal = areaNormal(t, x);
+    const double faces = normal.dot(from.normalized());
     if (std::abs(faces) <= std::abs(most)) continue;
     most = faces;
-    cosine = faces / u.cross(v).norm();
+    cosine = faces / normal.norm();
     facing = static_cast<int>(i);
   }
   if (std::abs(cosine) < kAlong) {

@@ -2,7 +2,8 @@
 /// The layers of folded paper that lie on each other at one place, as a viewer sees them.
 #pragma once
 
-#include <shell_origami/origami/layers.h>
+#include <shell_origami/origami/landmark.h>
+#include <shell_origami/origami/viewed_paper.h>
 
 #include <vector>
 
@@ -16,9 +17,8 @@ struct StackedLayer {
 
 /// Returns the layers at a point of the flat sheet, wherever that is now, the nearest to the viewer
 /// first. A layer is there once for each panel, also where panels meet in a crease.
-/// \param viewer  direction from the paper to the viewer, of length 1
-/// \throws std::invalid_argument where the point is off the paper
-std::vector<StackedLayer> layersAt(const Landmark& point, const Vector3& viewer,
+/// \throws std::invalid_argument where the point is off the paper, or as viewedPaper() does
+std::vector<StackedLayer> layersAt(const Landmark& point, const Viewpoint& view,
                                    const Simulation& simulation);
 
 /// Returns the viewpoint of somebody who looks at the paper from a direction, at the triangle that
