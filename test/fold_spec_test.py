@@ -69,7 +69,9 @@ def frames_of(document):
     return [inherited(index) for index in range(len(own))]
 
 
-class FoldSpecTest(unittest.TestCase):
+class SpecCheck(unittest.TestCase):
+    """The rules of the format."""
+
     def load(self, path):
         with open(path) as file:
             return json.load(file, parse_constant=refuse_constant)
@@ -177,42 +179,46 @@ class FoldSpecTest(unittest.TestCase):
             checked += 1
         return checked
 
+
+class FoldSpecTest(SpecCheck):
     def fold(self, recipe, *options):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         subprocess.run([os.environ['ORIGAMI_BATCH'], os.path.join(RECIPES, recipe + '.yaml'),
                         '--out', folder.name, *options], check=True)
-        return [self.load(os.path.join(folder.name, name)) for name in ('final.fold', 'frames.fold')]
+        return [self.load(os.path.join(folder.name, name))
+                for name in ('final.fold', 'frames.fold', 'diagrams.fold')]
 
-    def check_run(self, final, frames):
-        for document in (final, frames):
+    def check_run(self, *documents):
+        for document in documents:
             everything = self.check_file(document)
             self.assertIn('creasePattern', everything[0]['frame_classes'])
             self.assertIn('2D', everything[0]['frame_attributes'])
             self.assertLessEqual(OTHERS - {'frame_parent', 'frame_inherit'}, set(document))
             for frame in everything[1:]:
                 self.assertIn('foldedForm', frame['frame_classes'])
-        self.assertEqual(len(final['file_frames']), 1)
+        self.assertEqual(len(documents[0]['file_frames']), 1)
 
     def test_lines_that_change_the_mesh(self):
-        final, frames = self.fold('elephant')
-        self.check_run(final, frames)
+        final, frames, diagrams = self.fold('elephant')
+        self.check_run(final, frames, diagrams)
         self.assertGreater(self.check_angles(frames_of(final)[1]), 20)
         self.assertIn('animation', frames['file_classes'])
         self.assertGreater(len(frames['file_frames']), 30)
         self.assertGreater(len({len(f['vertices_coords']) for f in frames['file_frames']}), 1)
 
     def test_a_pattern_with_free_creases(self):
-        final, frames = self.fold('miura')
-        self.check_run(final, frames)
+        final, frames, diagrams = self.fold('miura')
+        self.check_run(final, frames, diagrams)
         self.assertEqual(self.check_angles(frames_of(final)[1]), 120)
         # A film's frames state the angles of their own instant.
         for frame in frames_of(frames)[2:]:
             self.assertEqual(self.check_angles(frame), 120)
 
     def test_a_pattern_that_nobody_folded(self):
-        final, frames = self.fold('miura', '--set', 'steps=[]')
-        self.check_run(final, frames)
+        final, frames, diagrams = self.fold('miura', '--set', 'steps=[]')
+        self.check_run(final, frames, diagrams)
+        self.assertEqual(len(diagrams['file_frames']), 1)
         # The pattern keeps what it asks for; the form shows that nothing was folded.
         kinds = collections.Counter(final['edges_assignment'])
         self.assertEqual((kinds['M'] > 0, kinds['V'] > 0, kinds['M'] + kinds['V']), (True, True, 120))
@@ -248,9 +254,13 @@ class BatchTest(unittest.TestCase):
         with open(os.path.join(self.out, 'report.json')) as handle:
             return json.load(handle)
 
+    def written(self, name):
+        with open(os.path.join(self.out, name + '.fold')) as handle:
+            return json.load(handle)
+
     def check_everything_is_written(self):
         self.assertEqual(sorted(os.listdir(self.out)),
-                         ['final.fold', 'final.obj', 'frames.fold', 'report.json'])
+                         ['diagrams.fold', 'final.fold', 'final.obj', 'frames.fold', 'report.json'])
 
     def test_a_crease_that_misses_its_target_is_said(self):
         batch = self.batch('sheet: {size: [0.1, 0.1], max_edge: 0.02}\n'
@@ -285,6 +295,9 @@ class BatchTest(unittest.TestCase):
         self.assertEqual(run.returncode, 2, run.stderr)
         self.assertIn('step 2 of 2', run.stderr)
         self.check_everything_is_written()
+        # The sequence ends where the paper does: what was rejected is no step of it.
+        self.assertEqual([frame['frame_title'] for frame in self.written('diagrams')['file_frames']],
+                         ['start', 'fold, 20 degrees'])
         self.assertIn('nowhere', self.report()['failure'])
         self.assertGreater(self.report()['steps'], 0)
 

@@ -29,7 +29,7 @@ class FullDiskTest(unittest.TestCase):
         self.out = os.path.join(self.folder, 'out')
         os.mkdir(self.out)
         self.old = {name: 'old ' + name for name in
-                    ('final.fold', 'final.obj', 'frames.fold', 'report.json')}
+                    ('diagrams.fold', 'final.fold', 'final.obj', 'frames.fold', 'report.json')}
         for name, text in self.old.items():
             with open(os.path.join(self.out, name), 'w') as old:
                 old.write(text)

@@ -128,10 +128,21 @@ const json* FoldDocument::findArray(int frame, const char* key) const {
   return value;
 }
 
+namespace {
+
+bool lists(const json* words, const char* word) {
+  return words && words->is_array() &&
+         std::find(words->begin(), words->end(), word) != words->end();
+}
+
+}  // namespace
+
 bool FoldDocument::hasClass(int frame, const char* name) const {
-  const json* classes = find(frame, "frame_classes");
-  return classes && classes->is_array() &&
-         std::find(classes->begin(), classes->end(), name) != classes->end();
+  return lists(find(frame, "frame_classes"), name);
+}
+
+bool FoldDocument::isOfClass(const char* name) const {
+  return lists(find(0, "file_classes"), name);
 }
 
 std::string FoldDocument::unit(int frame) const {
@@ -146,11 +157,19 @@ std::string FoldDocument::frameName(int frame) {
 }
 
 std::vector<Vector3> FoldDocument::points(int frame) const {
+  return coordinates(frame, "vertices_coords");
+}
+
+std::vector<Vector3> FoldDocument::flatCoordinates(int frame) const {
+  return coordinates(frame, kFlatCoordinates);
+}
+
+std::vector<Vector3> FoldDocument::coordinates(int frame, const char* key) const {
   std::vector<Vector3> points;
-  const json* list = findArray(frame, "vertices_coords");
+  const json* list = findArray(frame, key);
   if (!list) return points;
   for (const json& item : *list) {
-    const std::string where = place("vertices_coords", points.size());
+    const std::string where = place(key, points.size());
     if (!item.is_array() || item.size() < 2 || item.size() > 3) {
       reject(where, " is ", describeJson(item), ", not two or three numbers");
     }

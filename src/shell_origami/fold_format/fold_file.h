@@ -27,6 +27,9 @@ struct FoldReadOptions {
   double width = 0;  ///< of the flat pattern along x [m], in the place of a scale; 0: by the scale
 };
 
+/// What a step of a folding sequence asks of each crease of its sheet [rad]; NaN: nothing.
+using FoldStage = std::vector<double>;
+
 /// A paper as a file describes it.
 struct FoldPaper {
   Sheet sheet;
@@ -36,6 +39,8 @@ struct FoldPaper {
   std::optional<Positions> positions;
   /// Rest angle of each crease [rad]; NaN: a free crease. Empty without positions.
   std::vector<double> rest_angles;
+  /// The steps of a folding sequence in their order; empty: the file is none.
+  std::vector<FoldStage> stages;
   /// A sentence for each thing in the file that was changed or passed over to read it.
   std::vector<std::string> notes;
 };
@@ -53,6 +58,10 @@ FoldPaper readFold(const std::string& path, const FoldReadOptions& options = {})
 /// need a scale or a width; the lower left corner is the origin.
 /// Throws std::invalid_argument naming the file and the place.
 FoldPaper readPatternFile(const std::string& path, const FoldReadOptions& options = {});
+
+/// Whether a file is a FOLD file of the class "diagrams", a folding sequence.
+/// Throws std::invalid_argument naming the file where it cannot be read.
+bool isFoldSequence(const std::string& path);
 
 /// One crease as it is written.
 struct FoldCrease {

@@ -1,6 +1,7 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/base/files.h>
 #include <shell_origami/fold_format/fold_file.h>
+#include <shell_origami/fold_format/fold_stages.h>
 #include <shell_origami/fold_format/folded_form.h>
 #include <shell_origami/fold_format/line_drawing.h>
 
@@ -83,8 +84,9 @@ FoldPaper readDocument(const FoldDocument& document, const FoldReadOptions& opti
   CreasePattern pattern = readPattern(document, options.max_edge == 0);
   const double metres = rescale(document.unit(pattern.frame), options, pattern);
   const PatternSheet made = makeSheet(pattern, maxEdge(document, pattern, options.max_edge));
-  FoldPaper paper{made.sheet, {}, {}, pattern.notes};
+  FoldPaper paper{made.sheet, {}, {}, {}, pattern.notes};
   paper.sheet.setLayerOrders(pattern.orders);
+  paper.stages = readStages(document, pattern, metres, paper);
   if (options.form == FoldForm::kFolded) readFoldedForm(document, pattern, metres, made, paper);
   return paper;
 }
@@ -92,13 +94,13 @@ FoldPaper readDocument(const FoldDocument& document, const FoldReadOptions& opti
 FoldPaper readDrawing(LineDrawing drawing, const FoldReadOptions& options) {
   CreasePattern pattern = patternOf(std::move(drawing), options.max_edge == 0);
   rescale("unit", options, pattern);
-  return {makeSheet(pattern, options.max_edge).sheet, {}, {}, std::move(pattern.notes)};
+  return {makeSheet(pattern, options.max_edge).sheet, {}, {}, {}, std::move(pattern.notes)};
 }
 
 /// Returns what `read` makes of the file. Whatever is wrong with a file is the file's fault, a
 /// broken sheet (std::logic_error) too.
 template <class Read>
-FoldPaper namingFile(const std::string& path, Read read) {
+auto namingFile(const std::string& path, Read read) {
   try {
     return read();
   } catch (const std::exception& error) {
@@ -117,6 +119,18 @@ std::string readText(const std::string& path) {
   return text;
 }
 
+using DrawingReader = LineDrawing (*)(const std::string& text);
+
+/// Returns the reader of a drawing by the extension of its file; null: it is a FOLD file.
+DrawingReader drawingReader(const std::string& path) {
+  static const std::map<std::string, DrawingReader> kReaders{
+      {".cp", readCp}, {".opx", readOpx}, {".svg", readSvg}};
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto found = kReaders.find(extension);
+  return found == kReaders.end() ? nullptr : found->second;
+}
+
 }  // namespace
 
 FoldPaper readFold(const std::string& path, const FoldReadOptions& options) {
@@ -124,13 +138,14 @@ FoldPaper readFold(const std::string& path, const FoldReadOptions& options) {
 }
 
 FoldPaper readPatternFile(const std::string& path, const FoldReadOptions& options) {
-  static const std::map<std::string, LineDrawing (*)(const std::string&)> kDrawings{
-      {".cp", readCp}, {".opx", readOpx}, {".svg", readSvg}};
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  const auto found = kDrawings.find(extension);
-  if (found == kDrawings.end()) return readFold(path, options);
-  return namingFile(path, [&] { return readDrawing(found->second(readText(path)), options); });
+  const DrawingReader read = drawingReader(path);
+  if (!read) return readFold(path, options);
+  return namingFile(path, [&] { return readDrawing(read(readText(path)), options); });
+}
+
+bool isFoldSequence(const std::string& path) {
+  return !drawingReader(path) &&
+         namingFile(path, [&] { return FoldDocument(path).isOfClass("diagrams"); });
 }
 
 }  // namespace shell_origami

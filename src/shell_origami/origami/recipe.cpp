@@ -19,7 +19,8 @@ FoldPaper readPaper(const SheetSource& source) {
     return readPatternFile(source.pattern,
                            {source.scale, source.max_edge, source.form, source.pattern_width});
   }
-  return {Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), {}, {}, {}};
+  return {
+      Sheet(triangulateRectangle(source.width, source.height, source.max_edge)), {}, {}, {}, {}};
 }
 
 Eigen::Isometry3d poseOf(const SheetSource& source) {

@@ -82,7 +82,8 @@ bool isRecipe(const std::string& path);
 
 /// Reads a recipe. Unknown words are refused. Values the recipe does not state are those of
 /// `defaults`. The recipe of a crease pattern, `sheet.width` wide, folds every crease to the angle
-/// that the pattern asks for and waits until the paper has settled.
+/// that the pattern asks for and waits until the paper has settled, or folds the steps of a folding
+/// sequence; without a width (0) the file states its unit.
 /// \throws std::invalid_argument with one sentence naming file, line and offending value.
 Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults = {},
                   const SheetSource& sheet = {}, const Overrides& overrides = {});

@@ -2,15 +2,14 @@
 #include <shell_origami/base/files.h>
 #include <shell_origami/origami/bounded_yaml.h>
 #include <shell_origami/origami/parameter_table.h>
+#include <shell_origami/origami/pattern_recipe.h>
 #include <shell_origami/origami/recipe.h>
 #include <shell_origami/origami/recipe_reader.h>
 #include <shell_origami/origami/recipe_steps.h>
 
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -21,9 +20,6 @@ namespace fs = std::filesystem;
 
 /// Of a recipe's file.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
-/// Of a pattern that is folded without a recipe: edges of its mesh across its width, and the time
-/// that it has to settle [s].
-constexpr double kEdgesOfAWidth = 10, kPatternTimeout = 10;
 
 void readPose(const RecipeReader& reader, const YAML::Node& node, SheetSource& sheet) {
   reader.readMap(node, "sheet/pose",
@@ -146,21 +142,6 @@ void readRoot(const RecipeReader& reader, const YAML::Node& root, const fs::path
   for (const YAML::Node& step : steps) {
     recipe.steps.push_back(readStep(reader, step, config.fold_duration, recipe.names));
   }
-}
-
-/// Writes the recipe that folds a pattern.
-RecipeText patternRecipe(const std::string& path, double width) {
-  const fs::path file = fs::absolute(expandedPath(path));
-  std::string quoted;
-  for (const char c : file.string()) quoted += c == '\'' ? std::string("''") : std::string(1, c);
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << "sheet: {pattern: '" << quoted << "', form: flat, width: " << width
-       << ", max_edge: " << width / kEdgesOfAWidth << "}\n"
-       << "steps:\n"
-       << "  - fold: [{crease: all, part: 1}]\n"
-       << "  - settle: {timeout: " << kPatternTimeout << "}\n";
-  return {path, file.parent_path().string(), text.str()};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <shell_origami/origami/outcome.h>
 #include <shell_origami/origami/recipe.h>
 #include <shell_origami/origami/report.h>
+#include <shell_origami/origami/sequence.h>
 
 #include <unistd.h>
 
@@ -23,11 +24,13 @@ using namespace shell_origami;
 
 constexpr const char* kUsage =
     "usage: origami_batch RECIPE.yaml --out DIR [--set key=value ...] [--every SECONDS]\n"
-    "       origami_batch PATTERN --width WIDTH --out DIR [...]\n"
+    "       origami_batch PATTERN [--width WIDTH] --out DIR [...]\n"
     "Folds a recipe, or all creases of a pattern (.fold, .cp, .svg) to the angles that it asks "
-    "for.\n"
-    "  --width WIDTH    of the flat pattern along x [m]\n"
-    "  --out DIR        folder for final.fold, final.obj, frames.fold and report.json\n"
+    "for;\n"
+    "a folding sequence (a FOLD file of class diagrams) step by step.\n"
+    "  --width WIDTH    of the flat pattern along x [m]; without it the file has to state a unit\n"
+    "  --out DIR        folder for final.fold, final.obj, frames.fold, diagrams.fold and "
+    "report.json\n"
     "  --set key=value  overrides one value of the recipe, such as material/thickness=2e-4\n"
     "  --every SECONDS  simulated time between the frames of frames.fold (default 0.1)\n"
     "Exit codes: 0 the recipe was folded to its end; 1 nothing was written, for example because "
@@ -42,9 +45,9 @@ constexpr const char* kUsage =
 constexpr int kNothingWritten = 1, kEndedEarly = 2, kFellShort = 3;
 
 struct Options {
-  std::string recipe;  // or a pattern, where width > 0
+  std::string recipe;  // or a pattern
   std::string out;
-  double width = 0;    // [m]
+  double width = 0;    // [m]; 0: none is given
   double every = 0.1;  // [s]
   Overrides overrides;
 };
@@ -83,10 +86,6 @@ Options parse(const std::vector<std::string>& arguments) {
     else throw std::invalid_argument("more than one recipe: " + options.recipe + ", " + word);
   }
   if (options.recipe.empty()) throw std::invalid_argument("no recipe is given");
-  if (options.width == 0 && !isRecipe(options.recipe)) {
-    throw std::invalid_argument("--width WIDTH is missing, without which the pattern " +
-                                options.recipe + " has no size");
-  }
   if (options.width > 0 && isRecipe(options.recipe)) {
     throw std::invalid_argument("--width is for patterns; the recipe " + options.recipe +
                                 " states the size of its sheet");
@@ -146,10 +145,14 @@ class Frames {
 };
 
 /// Folds to the recipe's end. Returns why it ended early; an empty text: it did not.
-std::string run(RecipeRunner& runner, Simulation& simulation, Frames& frames) {
+std::string run(RecipeRunner& runner, Simulation& simulation, Frames& frames, Sequence& sequence) {
   ProgressBar bar;
   const auto update = [&] {
-    const bool goes_on = runner.update(simulation);
+    const bool goes_on = runner.update(simulation, [&](const std::vector<Edit>& edits) {
+      sequence.before(edits, runner, simulation);
+      sequence.after(simulation.apply(edits), runner);
+      return true;
+    });
     for (const std::string& warning : runner.takeWarnings()) {
       std::cerr << "origami_batch: " << warning << "\n";
     }
@@ -171,19 +174,20 @@ std::string run(RecipeRunner& runner, Simulation& simulation, Frames& frames) {
 
 int fold(const Options& options) {
   SheetSource sheet;
-  if (options.width > 0) sheet.width = options.width;
+  if (!isRecipe(options.recipe)) sheet.width = options.width;
   RecipeRunner runner(loadRecipe(options.recipe, {}, sheet, options.overrides));
   std::vector<std::string> notes;
   Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config, &notes);
   for (const std::string& note : notes) std::cerr << "origami_batch: " << note << "\n";
   Frames frames(options.every);
+  Sequence sequence;
   const auto start = std::chrono::steady_clock::now();
-  const std::string failure = run(runner, simulation, frames);
+  const std::string failure = run(runner, simulation, frames, sequence);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   const std::string& name = runner.recipe().name;
   const std::string folder = expandedPath(options.out);
   writeResults(simulation, {name, wall.count(), failure, runner.place().timeouts}, folder,
-               {frames.file(simulation, name)});
+               {frames.file(simulation, name), sequence.file(runner, simulation)});
   if (failure.empty()) {
     const std::vector<std::string> sentences = shortfalls(simulation);
     for (const std::string& sentence : sentences)
