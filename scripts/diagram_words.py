@@ -1,0 +1,187 @@
+"""The steps of a recipe in words, and the places on the paper that they name."""
+import math
+
+import yaml
+
+from diagram_paper import cross2, sub
+
+# Folds by less than this only mark creases; by more they are shut [deg].
+MARK, SHUT = 5, 170
+NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine"]
+
+
+def number(count):
+    return NUMBERS[count] if count < len(NUMBERS) else str(count)
+
+
+def listed(words):
+    return " and ".join(filter(None, [", ".join(words[:-1])] + words[-1:]))
+
+
+class Loader(yaml.SafeLoader):
+    """Reads `on` as a word: YAML 1.1 takes it for true."""
+
+
+Loader.yaml_implicit_resolvers = {
+    first: [(tag, pattern) for tag, pattern in resolvers if tag != "tag:yaml.org,2002:bool"]
+    for first, resolvers in yaml.SafeLoader.yaml_implicit_resolvers.items()}
+
+
+class Places:
+    """The landmarks of a recipe: where they are on the flat sheet, and what they are called. Those without
+    a name are called by letters, from A on in each picture."""
+
+    def __init__(self, recipe, corners):
+        self.names = recipe.get("names") or {}
+        self.corners = corners
+        self.begin()
+
+    def begin(self):
+        self.marks = {}  # of this picture: the places by what they are called
+
+    def flat(self, place):
+        """Returns the landmark's place on the flat sheet."""
+        if isinstance(place, str):
+            return self.flat(self.names[place])
+        if isinstance(place, list):
+            return tuple(place)
+        if "corner" in place:
+            return min(self.corners, key=lambda corner: math.dist(corner, place["corner"]))
+        if "on" in place:
+            a, b = map(self.flat, place["on"])
+            part = place.get("at", 0.5)
+            return tuple((1 - part) * x + part * y for x, y in zip(a, b))
+        a, b, c, d = map(self.flat, place["meet"])
+        way, other = sub(b, a), sub(d, c)
+        part = cross2(sub(c, a), other) / cross2(way, other)
+        return tuple(x + part * y for x, y in zip(a, way))
+
+    def call(self, place):
+        """Returns what a caption calls a landmark, which is marked in the picture."""
+        at = self.flat(place)
+        if isinstance(place, str):
+            self.marks[place.replace("_", " ")] = at
+            return "the " + place.replace("_", " ")
+        for name, other in self.marks.items():
+            if math.dist(other, at) < 1e-9:
+                return name
+        letter = chr(ord("A") + sum(len(name) == 1 for name in self.marks))
+        self.marks[letter] = at
+        return letter
+
+
+class Words:
+    """The caption of a step, and which point of the flat sheet an arrow begins at (None: any)."""
+
+    def __init__(self, caption, moves=None):
+        self.caption, self.moves = caption, moves
+
+
+def fold_through(fold, places):
+    call, behind = places.call, fold.get("way") == "behind"
+    away = " behind" if behind else ""
+    moves = None
+    if "bring" in fold:
+        caption = "Bring %s%s to %s." % (call(fold["bring"]), away, call(fold["to"]))
+        moves = fold["bring"]
+    elif "edge" in fold:
+        caption = "Bring the edge from %s to %s%s onto that from %s to %s." % (
+            *map(call, fold["edge"]), away, *map(call, fold["to_edge"]))
+        moves = {"on": fold["edge"]}
+    elif "across" in fold:
+        caption = "Fold %s%s along the line through %s, at a right angle to the edge from %s to %s." % (
+            call(fold["move"]), away, call(fold["at"]), *map(call, fold["across"]))
+        moves = fold["move"]
+    else:
+        caption = "Fold %s%s along the line from %s to %s." % (
+            call(fold["move"]), away or " over", *map(call, fold["through"]))
+        moves = fold["move"]
+    layers = fold.get("layers", "all")
+    if "flap" in fold:
+        caption += " Take only the flap at %s." % call(fold["flap"])
+    elif layers != "all":
+        count = layers["top"]
+        caption += " Take only the top layer." if count == 1 else " Take the top %s layers." % number(count)
+    return Words(caption + angle_words([fold.get("angle_deg", 178)]), places.flat(moves))
+
+
+def angle_words(angles):
+    open_angles = sorted({round(abs(angle)) for angle in angles if abs(angle) < SHUT})
+    return " Turn it by %s degrees." % listed([str(angle) for angle in open_angles]) if open_angles else ""
+
+
+def fold(entries, _):
+    """Plain folds along lines and of creases."""
+    angles = [entry["angle_deg"] for entry in entries if "angle_deg" in entry]
+    names = list(dict.fromkeys(entry.get("crease") or entry.get("name") for entry in entries))
+    called = listed([name.replace("_", " ") for name in names if name])
+    if called in ("all", "mountains", "valleys"):
+        lines = "all %s of the pattern" % ("lines" if called == "all" else called)
+    elif all("crease" in entry for entry in entries) and len(names) < 5:
+        lines = "the crease%s %s" % ("s" if len(names) > 1 else "", called)
+    else:
+        lines = "the line" if len(entries) == 1 else "the %s lines" % number(len(entries))
+        if called and len(names) < 5:
+            lines += " (%s)" % called
+    if len(angles) == len(entries) and all(abs(angle) < MARK for angle in angles):
+        return Words("Crease along %s." % lines)
+    away = " behind" if angles and all(angle < 0 for angle in angles) else ""
+    return Words("Fold%s along %s%s.%s" % (away, lines, " together" if len(entries) > 1 else "",
+                                          angle_words(angles)))
+
+
+def other_step(word, entry, places):
+    """A step that has no words of its own yet: its word, and the landmarks that it names."""
+    called = []
+    for key, value in entry.items() if isinstance(entry, dict) else []:
+        if isinstance(value, str) and value in places.names:
+            called.append("%s %s" % (key, places.call(value)))
+    return Words(word.replace("_", " ").capitalize() + (": " + ", ".join(called) if called else "") + ".")
+
+
+class Recipe:
+    """A recipe's file as the diagram reads it."""
+
+    WORDS = {"fold_through": fold_through, "fold": fold}
+
+    def __init__(self, path, corners):
+        with open(path, encoding="utf-8") as file:
+            self.recipe = yaml.load(file, Loader)
+        self.steps = self.recipe["steps"]
+        self.places = Places(self.recipe, corners)
+
+    def words(self, step):
+        """Returns the words of a step, the first of which is 1."""
+        self.places.begin()
+        entries = {word: entry for word, entry in self.steps[step - 1].items() if word != "duration"}
+        word, entry = next(iter(entries.items()))
+        if word in self.WORDS:
+            return self.WORDS[word](entry, self.places)
+        return other_step(word, entry, self.places)
+
+    def turns_over(self, after, before):
+        """Returns whether the paper is turned over between two steps; before 0: until the end."""
+        steps = self.steps[after:before - 1 if before else None]
+        return sum("turn_over" in step for step in steps) % 2 == 1
+
+    def view(self):
+        """Returns yaw and pitch of the camera [rad], or None."""
+        view = self.recipe.get("view")
+        return view and (math.radians(view.get("yaw_deg", 45)), math.radians(view.get("pitch_deg", 40)))
+
+
+class Titles:
+    """What a sequence without a recipe says of its steps."""
+
+    def __init__(self, papers):
+        self.titles = {paper.step: paper.title for paper in papers}
+        self.places = Places({}, [])
+
+    def words(self, step):
+        return Words(self.titles[step].replace("_", " ").capitalize() + ".")
+
+    def turns_over(self, *_):
+        return False
+
+    def view(self):
+        return None
