@@ -140,9 +140,9 @@ def write_pdf(path, cells, title):
 
 
 def main(sequence, out, recipe=None):
-    papers = read_sequence(sequence)
+    papers, name = read_sequence(sequence)
     text = Recipe(recipe, corners_of(papers[0])) if recipe else Titles(papers)
-    name = os.path.splitext(os.path.basename(recipe or sequence))[0].replace("_", " ")
+    name = name.replace("_", " ")
     cells = Diagram(papers, text).cells(name)
     rows = -(-len(cells) // COLUMNS)
     height = 2 * MARGIN + TITLE + rows * CELL_HEIGHT
@@ -153,4 +153,7 @@ def main(sequence, out, recipe=None):
 if __name__ == "__main__":
     if len(sys.argv) not in (3, 4):
         sys.exit(__doc__)
-    main(*sys.argv[1:])
+    try:
+        main(*sys.argv[1:])
+    except (OSError, ValueError) as error:
+        sys.exit("diagram: %s" % error)

@@ -9,6 +9,8 @@ from diagram_paper import OPEN, cross2, sub
 STRAIGHT, TINY = 0.008, 1e-6
 # Paper that shows this part of its area, all layers taken together, is folded flat: its layers are fanned.
 FLAT = 0.97
+# Layers below more than so many are fanned no further.
+MOST_LAYERS = 5
 # Part of the smaller of two panels by which they overlap where one lies on the other.
 OVERLAP = 0.02
 
@@ -215,7 +217,7 @@ class Layers:
         rank = {panel: 0 for panel in self.faces}
         for panel in reversed(self.order):
             on_top = [rank[upper] for upper in self.above[panel]]
-            rank[panel] = 1 + max(on_top) if on_top and self.is_flat else 0
+            rank[panel] = min(MOST_LAYERS, 1 + max(on_top)) if on_top and self.is_flat else 0
         panels_at = collections.defaultdict(set)
         for face, corners in enumerate(self.paper.faces):
             for v in corners:

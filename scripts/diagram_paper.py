@@ -214,6 +214,10 @@ def views_of(papers):
 
 
 def read_sequence(path):
-    """Returns the papers of a diagrams.fold."""
+    """Returns the papers of a diagrams.fold and the name of its recipe. Raises ValueError if it is none."""
     with open(path, encoding="utf-8") as file:
-        return [Paper(frame) for frame in json.load(file)["file_frames"]]
+        document = json.load(file)
+    frames = document.get("file_frames", [])
+    if not frames or not all(FLAT_COORDINATES in frame for frame in frames):
+        raise ValueError("%s is no folding sequence that origami_batch wrote" % path)
+    return [Paper(frame) for frame in frames], document.get("file_title", "model")

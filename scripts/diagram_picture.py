@@ -11,11 +11,11 @@ FRONT, BACK, INK = "#fbd9a6", "#ffffff", "#333333"  # rviz's front is orange as 
 DASHES = {"valley": "1.8 0.9", "mountain": "2.6 0.7 0.4 0.7 0.4 0.7", "hidden": "0.3 0.7"}
 COLORS = {"valley": "#1b4f9c", "mountain": "#b3202c"}
 # On the page [mm].
-FAN, MOST_FAN = 0.65, 3.2    # of one layer, of all
+FAN = 0.65                   # of one layer
 CREASE_GAP = 1.2             # between a crease that is there and the edge of its panel
 LINE, THIN = 0.35, 0.18
 HEAD = 2.6                   # of an arrow
-LEAST_ARROW = 4.5
+LEAST_ARROW = 6
 # Names of points within this part of the paper stand above to the right, others outside.
 INSIDE = 0.8
 # A crease that is folded further is where the paper ends for the viewer; one that is less than it was, by
@@ -64,10 +64,8 @@ class Picture:
 
     def __init__(self, layers, placement):
         self.layers, self.place = layers, placement
-        most = max(layers.offsets.values())
-        fan = min(FAN, MOST_FAN / most) if most else 0
         way = layers.fan_direction()
-        self.fan = (fan * way[0], -fan * way[1])
+        self.fan = (FAN * way[0], -FAN * way[1])
         self.elements = []
 
     def vertex(self, v):

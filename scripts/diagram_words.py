@@ -39,6 +39,13 @@ class Places:
     def begin(self):
         self.marks = {}  # of this picture: the places by what they are called
 
+    def is_landmark(self, value):
+        if isinstance(value, dict):
+            return bool({"corner", "on", "meet"} & set(value))
+        if isinstance(value, list):
+            return len(value) == 2 and all(isinstance(number, (int, float)) for number in value)
+        return isinstance(value, str) and value in self.names
+
     def flat(self, place):
         """Returns the landmark's place on the flat sheet."""
         if isinstance(place, str):
@@ -131,11 +138,12 @@ def fold(entries, _):
 
 
 def other_step(word, entry, places):
-    """A step that has no words of its own yet: its word, and the landmarks that it names."""
+    """A step that has no words of its own: its word, and the landmarks that it names."""
     called = []
     for key, value in entry.items() if isinstance(entry, dict) else []:
-        if isinstance(value, str) and value in places.names:
-            called.append("%s %s" % (key, places.call(value)))
+        landmarks = [value] if places.is_landmark(value) else value
+        if isinstance(landmarks, list) and all(map(places.is_landmark, landmarks)):
+            called.append("%s %s" % (key.replace("_", " "), listed(list(map(places.call, landmarks)))))
     return Words(word.replace("_", " ").capitalize() + (": " + ", ".join(called) if called else "") + ".")
 
 

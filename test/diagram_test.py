@@ -118,7 +118,8 @@ class DiagramTest(unittest.TestCase):
         self.assertEqual(len(half.panels()), 1)
         lower, upper = (list(zip(*points(panel))) for panel in finished.panels())
         # On some side the border below stands out by a layer's offset, or its part along that side.
-        out = [max(a) - max(b) for a, b in zip(lower, upper)] + [min(b) - min(a) for a, b in zip(lower, upper)]
+        axes = list(zip(lower, upper))
+        out = [max(a) - max(b) for a, b in axes] + [min(b) - min(a) for a, b in axes]
         self.assertGreater(max(out), 0.3)
         self.assertLess(max(out), 1)
 
@@ -127,6 +128,13 @@ class DiagramTest(unittest.TestCase):
         self.assertEqual([panel.get('class') for panel in pictures[0].panels()], ['back'])
         # A valley of the front is a mountain for who sees the back.
         self.check_line(pictures[0], 'mountain', [(0.5, 0), (0.5, 1)])
+
+    def test_lines_that_nobody_sees(self):
+        # What lies below a flap is creased, up to where the flap ends.
+        picture = self.plain('  - fold: [{line: [[0.06, 0], [0.06, 0.1]], angle_deg: 175}]\n' + SETTLE +
+                             '  - fold: [{line: [[0.03, 0.05], [0.06, 0.05]], angle_deg: -10}]\n')[1]
+        self.assertEqual(len(picture.of('hidden')), 1)
+        self.assertEqual(picture.of('valley') + picture.of('mountain'), [])
 
     def test_creases_that_are_there(self):
         picture = self.plain('  - fold: [%s]\n' % HALF % 1 + SETTLE +
@@ -140,9 +148,18 @@ class DiagramTest(unittest.TestCase):
         self.assertEqual(len(picture.of('valley')), 1)
         self.assertIn('Turn it by 60 degrees.', picture.caption)
 
+    def test_a_file_that_is_no_sequence(self):
+        pattern = os.path.join(ROOT, 'recipes', 'patterns', 'miura.fold')
+        with tempfile.TemporaryDirectory() as folder:
+            run = subprocess.run([sys.executable, os.path.join(ROOT, 'scripts', 'diagram.py'), pattern, folder],
+                                 stderr=subprocess.PIPE, text=True)
+            self.assertEqual(os.listdir(folder), [])
+        self.assertEqual((run.returncode, run.stderr),
+                         (1, 'diagram: %s is no folding sequence that origami_batch wrote\n' % pattern))
+
     def test_pages(self):
-        steps = ''.join('  - fold: [{line: [[0, %g], [0.1, %g]], angle_deg: 1}]\n    duration: 0.05\n' % (y, y)
-                        for y in (0.01 * k for k in range(1, 10)))
+        fold = '  - fold: [{line: [[0, %g], [0.1, %g]], angle_deg: 1}]\n    duration: 0.05\n'
+        steps = ''.join(fold % (0.01 * k, 0.01 * k) for k in range(1, 10))
         pictures, pages = self.draw('pages.yaml', text=SHEET + 'steps:\n' + steps)
         self.assertEqual(len(pictures), 10)
         self.assertEqual(pages, 2)  # of nine pictures
