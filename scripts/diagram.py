@@ -55,26 +55,30 @@ class Diagram:
         self.papers, self.text = papers, text
         self.views = views_of(papers)
         self.layers = [Layers(paper, view) for paper, view in zip(papers, self.views)]
-        self.scale = min(self.fit(layers) for layers in self.layers)
+        self.scale = min(self.fit(layers.points) for layers in self.layers)
 
     @staticmethod
-    def fit(layers):
-        return min(room / max(1e-9, max(axis) - min(axis))
-                   for room, axis in zip(PICTURE, zip(*layers.points)))
+    def fit(points):
+        return min(room / max(1e-9, max(axis) - min(axis)) for room, axis in zip(PICTURE, zip(*points)))
 
-    def picture(self, layers):
-        scale = min(self.fit(layers), MOST_ZOOM * self.scale)
-        return Picture(layers, Placement(layers.points, CELL_WIDTH, AREA_HEIGHT, scale))
+    def picture(self, layers, *also):
+        """Returns the picture of a paper with room for other points as well."""
+        points = layers.points + list(also)
+        scale = min(self.fit(points), MOST_ZOOM * self.scale)
+        return Picture(layers, Placement(points, CELL_WIDTH, AREA_HEIGHT, scale))
 
     def step(self, number):
         """Returns the picture of the paper before a step, from 1 on, and its caption."""
         before, after = self.papers[number - 1:number + 1]
         layers = self.layers[number - 1]
         words = self.text.words(after.step)
-        picture = self.picture(layers)
+        move = Move(before, self.views[number - 1], after, self.views[number])
+        flat = words.moves or move.farthest(layers)
+        start, end = move.start(flat), move.end(flat)
+        picture = self.picture(layers, end[:2])
         picture.draw_paper()
         picture.draw_lines(lines_to_crease(layers, after))
-        self.draw_move(picture, words, before, after, number)
+        picture.draw_arrow(picture.at(flat), picture.place(end[:2]), end[2] < start[2])
         picture.draw_marks([(name, picture.at(flat)) for name, flat in self.text.places.marks.items()])
         caption = words.caption
         next_step = self.papers[number + 1].step if number + 1 < len(self.papers) else 0
@@ -83,12 +87,6 @@ class Diagram:
         if turns:
             picture.draw_turn_over(CELL_WIDTH / 2 - 6, AREA_HEIGHT + LINE_HEIGHT * (len(lines) + 1) + 2)
         return picture.elements, lines
-
-    def draw_move(self, picture, words, before, after, number):
-        move = Move(before, self.views[number - 1], after, self.views[number])
-        flat = words.moves or move.farthest(picture.layers)
-        start, end = move.start(flat), move.end(flat)
-        picture.draw_arrow(picture.at(flat), picture.place(end[:2]), end[2] < start[2])
 
     def finished(self, name):
         layers, view = self.layers[-1], self.text.view()

@@ -54,7 +54,7 @@ def simplified(points, tolerance):
 
 class Outline:
     """A closed line around a panel: its corners (vertices of the paper), and of each side from a corner on
-    whether it is border (B), a folded edge (V) or where the paper turns out of view (S)."""
+    whether it is border (B), a folded edge (E) or where the paper turns out of view (S)."""
 
     def __init__(self, corners, kinds):
         self.corners, self.kinds = corners, kinds
@@ -103,7 +103,7 @@ class Layers:
                 if beyond == panel:
                     continue
                 folded = abs(self.paper.creases.get((min(a, b), max(a, b)), 0)) > OPEN
-                sides[a].append((b, "B" if other is None else "V" if folded else "S", beyond))
+                sides[a].append((b, "B" if other is None else "E" if folded else "S", beyond))
         return sides
 
     def outlines_of(self, panel):
@@ -197,7 +197,7 @@ class Layers:
 
     def sorted_panels(self, covers):
         """Returns the panels so that each comes after those that it covers. Of panels that cover each other
-        in a circle, the one that is covered least comes first."""
+        in a circle, the one that covers least comes first."""
         left, order = set(self.faces), []
         while left:
             hidden = {panel: 0 for panel in left}  # what each covers of those that are left

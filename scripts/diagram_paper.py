@@ -1,4 +1,6 @@
 """The frames of a folding sequence (diagrams.fold), and from where each is looked at."""
+import collections
+import itertools
 import json
 import math
 
@@ -69,12 +71,23 @@ class Paper:
         self.face_at = {}  # left of each directed edge
         for number, (a, b, c) in enumerate(self.faces):
             self.face_at.update({(a, b): number, (b, c): number, (c, a): number})
+        # Of each cell of a grid over the flat sheet the faces whose boxes reach into it.
+        self.cell = self.size / max(1, math.sqrt(len(self.faces) / 2))
+        self.faces_near = collections.defaultdict(list)
+        for number, corners in enumerate(self.faces):
+            (i, j), (k, l) = (self.cell_of([end(axis) for axis in zip(*(self.flat[v] for v in corners))])
+                              for end in (min, max))
+            for place in itertools.product(range(i, k + 1), range(j, l + 1)):
+                self.faces_near[place].append(number)
+
+    def cell_of(self, flat):
+        return tuple(int(x // self.cell) for x in flat)
 
     def locate(self, flat):
         """Returns the face at a flat point, or the nearest, and the point's weights in its corners."""
         best = None
-        for number, (a, b, c) in enumerate(self.faces):
-            a, b, c = self.flat[a], self.flat[b], self.flat[c]
+        for number in itertools.chain(self.faces_near[self.cell_of(flat)], range(len(self.faces))):
+            a, b, c = (self.flat[v] for v in self.faces[number])
             area = cross2(sub(b, a), sub(c, a))
             weights = (cross2(sub(b, flat), sub(c, flat)) / area, cross2(sub(c, flat), sub(a, flat)) / area)
             weights += (1 - sum(weights),)

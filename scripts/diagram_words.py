@@ -113,7 +113,7 @@ def fold_through(fold, places):
 
 
 def angle_words(angles):
-    open_angles = sorted({round(abs(angle)) for angle in angles if abs(angle) < SHUT})
+    open_angles = sorted({round(abs(angle)) for angle in angles if MARK <= abs(angle) < SHUT})
     return " Turn it by %s degrees." % listed([str(angle) for angle in open_angles]) if open_angles else ""
 
 
