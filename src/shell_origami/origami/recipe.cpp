@@ -3,6 +3,7 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/mesh/mesh_refine.h>
 #include <shell_origami/mesh/triangulate.h>
+#include <shell_origami/origami/layer_stack.h>
 
 #include <Eigen/Geometry>
 
@@ -57,10 +58,7 @@ struct Edits {
   Viewpoint view;
 
   std::vector<Edit> operator()(const PinStep& step) const { return {PinEdit{step.where}}; }
-  std::vector<Edit> operator()(const UnpinStep& step) const {
-    if (step.points.empty()) return {UnpinEdit{}};
-    return {UnpinEdit{step.points}};
-  }
+  std::vector<Edit> operator()(const UnpinStep& step) const { return {UnpinEdit{step.where}}; }
   std::vector<Edit> operator()(const FoldStep& step) const {
     std::vector<Edit> edits;
     for (FoldEdit fold : step.folds) {
@@ -86,6 +84,20 @@ struct Edits {
     view.front = !view.front;
     return {};
   }
+  std::vector<Edit> operator()(const LookStep& step) {
+    view = viewFrom(step.from, simulation);
+    return {};
+  }
+  std::vector<Edit> operator()(const WaitStep&) const { return {}; }
+  std::vector<Edit> operator()(const AddVertexStep& step) const { return {step.edit}; }
+  std::vector<Edit> operator()(const StopStep&) const { return {StopEdit{}}; }
+  std::vector<Edit> operator()(const ConfigureStep& step) const {
+    LiveConfig live = liveConfigOf(simulation.config());
+    live.gravity = step.gravity.value_or(live.gravity);
+    live.air_damping = step.air_damping.value_or(live.air_damping);
+    live.fold_duration = step.fold_duration.value_or(live.fold_duration);
+    return {ConfigureEdit{live}};
+  }
 };
 
 /// Whether a step is over.
@@ -98,9 +110,20 @@ struct Over {
   bool operator()(const FoldStep&) const { return !simulation.folding(); }
   bool operator()(const FoldThroughStep&) const { return !simulation.folding(); }
   bool operator()(const TurnOverStep&) const { return true; }
+  bool operator()(const LookStep&) const { return true; }
+  bool operator()(const WaitStep& step) const { return after(step.seconds); }
+  bool operator()(const AddVertexStep&) const { return true; }
+  bool operator()(const StopStep&) const { return true; }
+  bool operator()(const ConfigureStep&) const { return true; }
   bool operator()(const SettleStep& step) const { return elapsed >= step.timeout || settled(); }
   /// The residual speeds of a fold just begun are not rest.
   bool settled() const { return elapsed > 0 && simulation.settled(); }
+  /// Whether so many seconds have passed. Times are rounded as steps are added up, and as people
+  /// write them.
+  bool after(double seconds) const {
+    return elapsed > seconds - kRounding * simulation.config().solver.time_step;
+  }
+  static constexpr double kRounding = 0.01;
 };
 
 struct Word {
@@ -110,20 +133,28 @@ struct Word {
   const char* operator()(const SettleStep&) const { return "settle"; }
   const char* operator()(const FoldThroughStep&) const { return "fold_through"; }
   const char* operator()(const TurnOverStep&) const { return "turn_over"; }
+  const char* operator()(const LookStep&) const { return "look_from"; }
+  const char* operator()(const WaitStep&) const { return "wait"; }
+  const char* operator()(const AddVertexStep&) const { return "add_vertex"; }
+  const char* operator()(const StopStep&) const { return "stop"; }
+  const char* operator()(const ConfigureStep&) const { return "configure"; }
 };
 
 struct Length {
-  double operator()(const PinStep&) const { return 0; }
-  double operator()(const UnpinStep&) const { return 0; }
+  template <class Step>
+  double operator()(const Step&) const {
+    return 0;
+  }
   double operator()(const FoldStep& step) const { return step.duration; }
   double operator()(const SettleStep& step) const { return step.timeout; }
   double operator()(const FoldThroughStep& step) const { return step.duration; }
-  double operator()(const TurnOverStep&) const { return 0; }
+  double operator()(const WaitStep& step) const { return step.seconds; }
 };
 
 }  // namespace
 
-bool RecipeRunner::update(const Simulation& simulation, const Apply& apply) {
+bool RecipeRunner::update(const Simulation& simulation, const Apply& apply,
+                          RecipeListener* listener) {
   while (!finished()) {
     const RecipeStep& step = recipe_.steps[place_.step];
     if (!place_.started) {
@@ -134,11 +165,10 @@ bool RecipeRunner::update(const Simulation& simulation, const Apply& apply) {
       place_.view = visitor.view;
       place_.start_time = simulation.time();
       if (!made) return true;
+      if (listener) listener->onStepBegun(step, simulation.time());
     }
-    const Over over{simulation, simulation.time() - place_.start_time};
-    if (!std::visit(over, step)) return true;
-    const auto* settle = std::get_if<SettleStep>(&step);
-    if (settle && !settle->quasi_static && !over.settled()) noteTimeout(*settle);
+    if (!over(simulation)) return true;
+    if (listener) listener->onStepOver(simulation.time());
     ++place_.step;
     place_.started = false;
   }
@@ -152,6 +182,25 @@ bool RecipeRunner::update(Simulation& simulation) {
   });
 }
 
+/// Whether the step under way is.
+bool RecipeRunner::over(const Simulation& simulation) {
+  const Over over{simulation, simulation.time() - place_.start_time};
+  const auto lasts = recipe_.lasts.find(place_.step);
+  if (lasts != recipe_.lasts.end()) return over.after(lasts->second);
+  const RecipeStep& step = recipe_.steps[place_.step];
+  if (!std::visit(over, step)) return false;
+  const auto* settle = std::get_if<SettleStep>(&step);
+  if (settle && !settle->quasi_static && !over.settled()) noteTimeout(*settle);
+  return true;
+}
+
+/// About how long a step takes [s].
+double RecipeRunner::length(int step) const {
+  const auto lasts = recipe_.lasts.find(step);
+  if (lasts != recipe_.lasts.end()) return lasts->second;
+  return std::visit(Length{}, recipe_.steps[step]);
+}
+
 void RecipeRunner::noteTimeout(const SettleStep& step) {
   place_.timeouts.push_back(place_.step);
   std::ostringstream warning;
@@ -163,11 +212,11 @@ void RecipeRunner::noteTimeout(const SettleStep& step) {
 double RecipeRunner::progress(const Simulation& simulation) const {
   double total = 0, done = 0;
   for (int i = 0; i < static_cast<int>(recipe_.steps.size()); ++i) {
-    const double length = std::visit(Length{}, recipe_.steps[i]);
-    total += length;
-    if (i < place_.step) done += length;
+    const double whole = length(i);
+    total += whole;
+    if (i < place_.step) done += whole;
     if (i == place_.step && place_.started)
-      done += std::min(length, simulation.time() - place_.start_time);
+      done += std::min(whole, simulation.time() - place_.start_time);
   }
   return finished() || total == 0 ? 1 : done / total;
 }

@@ -7,6 +7,7 @@
 #include <shell_origami/origami/simulation.h>
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -26,8 +27,8 @@ struct PinStep {
   PinWhere where;
 };
 struct UnpinStep {
-  std::vector<Vector2> points;
-};  ///< empty: all
+  std::optional<PinWhere> where;  ///< none: all
+};
 struct FoldStep {
   std::vector<FoldEdit> folds;
   double duration = 1;
@@ -44,8 +45,27 @@ struct FoldThroughStep {
 };
 /// Looks at the paper's other side from now on.
 struct TurnOverStep {};
+/// Looks at the paper from a direction from now on.
+struct LookStep {
+  Vector3 from;
+};
+/// Lets time pass.
+struct WaitStep {
+  double seconds = 0;
+};
+struct AddVertexStep {
+  AddVertexEdit edit;
+};
+/// Stops every fold under way where it is.
+struct StopStep {};
+/// Changes parameters that may change while the paper moves. Those without a value stay.
+struct ConfigureStep {
+  std::optional<Vector3> gravity;
+  std::optional<double> air_damping, fold_duration;
+};
 using RecipeStep =
-    std::variant<PinStep, UnpinStep, FoldStep, SettleStep, FoldThroughStep, TurnOverStep>;
+    std::variant<PinStep, UnpinStep, FoldStep, SettleStep, FoldThroughStep, TurnOverStep, LookStep,
+                 WaitStep, AddVertexStep, StopStep, ConfigureStep>;
 
 /// From where the finished model looks best: rviz's orbit camera.
 struct View {
@@ -69,6 +89,8 @@ struct Recipe {
   View view;
   LandmarkNames names;
   std::vector<RecipeStep> steps;
+  /// How long steps last that state it, by their index [s]. Others last until they are done.
+  std::map<int, double> lasts;
   std::set<std::string> stated;  ///< words at its top, such as "sheet": all else is by default
 
   bool states(const std::string& word) const { return stated.count(word) > 0; }
@@ -102,6 +124,16 @@ struct RecipePlace {
   std::vector<int> timeouts;
 };
 
+/// Hears of the steps of a recipe as they are carried out.
+class RecipeListener {
+ public:
+  virtual ~RecipeListener() = default;
+  /// A step's edits were made, at a time of the simulation [s]. Where making them takes long, this
+  /// is up to who makes them.
+  virtual void onStepBegun(const RecipeStep& step, double time) = 0;
+  virtual void onStepOver(double time) = 0;
+};
+
 /// Carries a recipe out. Call update() before each step.
 class RecipeRunner {
  public:
@@ -113,8 +145,9 @@ class RecipeRunner {
   using Apply = std::function<bool(const std::vector<Edit>& edits)>;
 
   /// Makes the edits that are due now. Returns false once every step of the recipe is done.
+  /// \param listener  null: nobody hears
   /// \throws std::invalid_argument when the paper rejects edits of the recipe.
-  bool update(const Simulation& simulation, const Apply& apply);
+  bool update(const Simulation& simulation, const Apply& apply, RecipeListener* listener = nullptr);
   bool update(Simulation& simulation);
 
   const Recipe& recipe() const { return recipe_; }
@@ -130,6 +163,8 @@ class RecipeRunner {
   std::vector<std::string> takeWarnings() { return std::exchange(warnings_, {}); }
 
  private:
+  bool over(const Simulation& simulation);
+  double length(int step) const;
   void noteTimeout(const SettleStep& step);
 
   Recipe recipe_;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -140,7 +141,9 @@ void readRoot(const RecipeReader& reader, const YAML::Node& root, const fs::path
   }
   if (!names.IsNull()) recipe.names = readNames(reader, names);
   for (const YAML::Node& step : steps) {
-    recipe.steps.push_back(readStep(reader, step, config.fold_duration, recipe.names));
+    std::optional<double> lasts;
+    recipe.steps.push_back(readStep(reader, step, config.fold_duration, recipe.names, lasts));
+    if (lasts) recipe.lasts[static_cast<int>(recipe.steps.size()) - 1] = *lasts;
   }
 }
 

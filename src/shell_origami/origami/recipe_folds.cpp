@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
@@ -28,7 +29,8 @@ class FoldReader {
     bool has_part = false;
     reader_.readMap(
         node, "a point",
-        {{"corner", [&](const YAML::Node& value) { found.push_back({CornerNear{point(value)}}); }},
+        {{"corner",
+          [&](const YAML::Node& value) { found.push_back(at(CornerNear{point(value)})); }},
          {"on",
           [&](const YAML::Node& value) {
             way.ends = landmarks(value, 2, "on");
@@ -43,11 +45,11 @@ class FoldReader {
             has_part = true;
           }},
          {"meet", [&](const YAML::Node& value) {
-            found.push_back({LinesMeet{landmarks(value, 4, "meet")}});
+            found.push_back(at(LinesMeet{landmarks(value, 4, "meet")}));
           }}});
     if (found.size() != 1) reader_.refuseAt(node, "a point takes one of corner, on and meet");
     if (way.ends.empty() && has_part) reader_.refuseAt(node, "at belongs to a point with on");
-    return way.ends.empty() ? found[0] : Landmark{way};
+    return way.ends.empty() ? found[0] : at(way);
   }
 
   FoldThrough fold(const YAML::Node& node) const {
@@ -96,6 +98,12 @@ class FoldReader {
     const auto found = names_.find(name);
     if (found == names_.end()) reader_.refuseAt(node, "'", name, "' is none of the recipe's names");
     return {found->second.place, name};
+  }
+
+  static Landmark at(decltype(Landmark::place) place) {
+    Landmark landmark;
+    landmark.place = std::move(place);
+    return landmark;
   }
 
   Vector2 point(const YAML::Node& node) const {

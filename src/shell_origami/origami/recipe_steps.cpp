@@ -1,6 +1,7 @@
 #include <shell_origami/origami/recipe_steps.h>
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <vector>
 
@@ -61,25 +62,71 @@ FoldEdit readFoldEntry(const RecipeReader& reader, const YAML::Node& node) {
   return fold;
 }
 
-PinStep readPin(const RecipeReader& reader, const YAML::Node& node) {
-  PinStep pin;
-  if (node.IsMap() && node.size() != 1) reader.refuseAt(node, "pin takes one of region and points");
+std::vector<std::int64_t> readVertices(const RecipeReader& reader, const YAML::Node& node) {
+  if (!node.IsSequence() || node.size() == 0) {
+    reader.refuseAt(node, "vertices must be a list of their numbers");
+  }
+  std::vector<std::int64_t> vertices;
+  for (const YAML::Node& entry : node) {
+    int vertex = 0;
+    reader.read(entry, "a vertex", &vertex);
+    vertices.push_back(vertex);
+  }
+  return vertices;
+}
+
+PinWhere readWhere(const RecipeReader& reader, const YAML::Node& node, const std::string& what) {
+  if (node.IsMap() && node.size() != 1) {
+    reader.refuseAt(node, what, " takes one of region, points and vertices");
+  }
+  PinWhere where;
   reader.readMap(
-      node, "pin",
-      {{"region",
-        [&](const YAML::Node& value) { pin.where = Region{reader.points(value, "region")}; }},
-       {"points", [&](const YAML::Node& value) { pin.where = reader.points(value, "points"); }}});
-  return pin;
+      node, what,
+      {{"region", [&](const YAML::Node& value) { where = Region{reader.points(value, "region")}; }},
+       {"points", [&](const YAML::Node& value) { where = reader.points(value, "points"); }},
+       {"vertices", [&](const YAML::Node& value) { where = readVertices(reader, value); }}});
+  return where;
 }
 
 UnpinStep readUnpin(const RecipeReader& reader, const YAML::Node& node) {
-  UnpinStep unpin;
-  if (node.IsScalar() && node.Scalar() == "all") return unpin;
-  if (!node.IsMap() || node.size() != 1) reader.refuseAt(node, "unpin takes all or points");
-  reader.readMap(node, "unpin", {{"points", [&](const YAML::Node& value) {
-                                    unpin.points = reader.points(value, "points");
-                                  }}});
-  return unpin;
+  if (node.IsScalar() && node.Scalar() == "all") return {};
+  if (!node.IsMap()) reader.refuseAt(node, "unpin takes all, region, points or vertices");
+  return {readWhere(reader, node, "unpin")};
+}
+
+AddVertexStep readAddVertex(const RecipeReader& reader, const YAML::Node& node) {
+  AddVertexStep step;
+  bool has_edge = false, has_fraction = false;
+  reader.readMap(node, "add_vertex",
+                 {{"edge",
+                   [&](const YAML::Node& value) {
+                     const std::vector<std::int64_t> ends = readVertices(reader, value);
+                     if (ends.size() != 2) reader.refuseAt(value, "an edge has two vertices");
+                     step.edit.edge = {ends[0], ends[1]};
+                     has_edge = true;
+                   }},
+                  {"fraction", [&](const YAML::Node& value) {
+                     step.edit.fraction = reader.number(value, "fraction");
+                     has_fraction = true;
+                   }}});
+  if (!has_edge || !has_fraction) reader.refuseAt(node, "add_vertex needs edge and fraction");
+  return step;
+}
+
+ConfigureStep readConfigure(const RecipeReader& reader, const YAML::Node& node) {
+  ConfigureStep step;
+  const auto number = [&reader](std::optional<double>& place, const char* what) {
+    return [&reader, &place, what](const YAML::Node& value) { place = reader.number(value, what); };
+  };
+  reader.readMap(node, "configure",
+                 {{"gravity",
+                   [&](const YAML::Node& value) {
+                     step.gravity.emplace();
+                     reader.read(value, "gravity", &*step.gravity);
+                   }},
+                  {"air_damping", number(step.air_damping, "air_damping")},
+                  {"fold_duration", number(step.fold_duration, "fold_duration")}});
+  return step;
 }
 
 double readSeconds(const RecipeReader& reader, const YAML::Node& node, const std::string& what) {
@@ -88,16 +135,23 @@ double readSeconds(const RecipeReader& reader, const YAML::Node& node, const std
   return seconds;
 }
 
+constexpr const char* kSteps =
+    "pin, unpin, fold, fold_through, turn_over, look_from, settle, wait, add_vertex, stop or "
+    "configure";
+
 }  // namespace
 
 RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double fold_duration,
-                    const LandmarkNames& names) {
+                    const LandmarkNames& names, std::optional<double>& lasts) {
   std::vector<RecipeStep> steps;
   double duration = fold_duration;
   bool has_duration = false;
   reader.readMap(
       node, "a step",
-      {{"pin", [&](const YAML::Node& value) { steps.push_back(readPin(reader, value)); }},
+      {{"pin",
+        [&](const YAML::Node& value) {
+          steps.push_back(PinStep{readWhere(reader, value, "pin")});
+        }},
        {"unpin", [&](const YAML::Node& value) { steps.push_back(readUnpin(reader, value)); }},
        {"fold",
         [&](const YAML::Node& value) {
@@ -117,6 +171,26 @@ RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double f
           reader.readMap(value, "turn_over", {});
           steps.push_back(TurnOverStep{});
         }},
+       {"look_from",
+        [&](const YAML::Node& value) {
+          LookStep step;
+          reader.read(value, "look_from", &step.from);
+          steps.push_back(step);
+        }},
+       {"wait",
+        [&](const YAML::Node& value) {
+          steps.push_back(WaitStep{readSeconds(reader, value, "wait")});
+        }},
+       {"add_vertex",
+        [&](const YAML::Node& value) { steps.push_back(readAddVertex(reader, value)); }},
+       {"stop",
+        [&](const YAML::Node& value) {
+          reader.readMap(value, "stop", {});
+          steps.push_back(StopStep{});
+        }},
+       {"configure",
+        [&](const YAML::Node& value) { steps.push_back(readConfigure(reader, value)); }},
+       {"lasts", [&](const YAML::Node& value) { lasts = readSeconds(reader, value, "lasts"); }},
        {"duration",
         [&](const YAML::Node& value) {
           duration = readSeconds(reader, value, "duration");
@@ -135,9 +209,7 @@ RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double f
           steps.push_back(step);
         }}});
   if (steps.size() != 1) {
-    reader.refuseAt(
-        node, "a step does one thing: pin, unpin, fold, fold_through, turn_over or settle, not ",
-        steps.size());
+    reader.refuseAt(node, "a step does one thing: ", kSteps, ", not ", steps.size());
   }
   auto* fold = std::get_if<FoldStep>(&steps[0]);
   auto* through = std::get_if<FoldThroughStep>(&steps[0]);

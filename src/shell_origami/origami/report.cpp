@@ -122,7 +122,8 @@ std::string paperText(const Simulation& simulation, const std::string& path) {
   if (extension == ".obj") return objText(positions, triangles);
   if (extension == ".stl") return stlText(positions, triangles);
   if (extension == ".ply") return plyText(positions, triangles);
-  reject("cannot save ", path, ": its extension must be .fold, .obj, .stl or .ply");
+  reject("cannot save ", path,
+         ": its extension must be .fold, .obj, .stl or .ply, or .yaml for a recipe");
 }
 
 }  // namespace

@@ -123,6 +123,8 @@ class Simulation {
   /// Whether no ramp runs, the membrane is hard, and speeds (the kinetic energy) and accelerations
   /// (the residual force) are too small to see.
   bool settled() const;
+  /// Whether nothing moves until the next edit: time passes at no cost.
+  bool resting() const { return resting_; }
 
  private:
   class StepConditions;
