@@ -101,7 +101,8 @@ Landmark landmarkFrom(const std::string& field, const msg::Landmark& message,
   if ((message.name.empty() ? 0 : 1) + (frame.empty() ? 0 : 1) + (isZero(flat) ? 0 : 1) > 1) {
     reject(field, " takes one of name, flat and space, not more");
   }
-  if (!message.name.empty()) return named(field, message.name, context.session.names());
+  if (!message.name.empty())
+    return named(field, message.name, context.session.journal().origin().names);
   if (!frame.empty()) {
     const Simulation& simulation = context.session.simulation();
     const Vector3 point = toWorld(field, {space.x, space.y, space.z}, message.space.header,

@@ -25,7 +25,8 @@ std::string LongStep::stopped(const std::string& why) const {
   return "stopped after " + std::to_string(taken) + (taken == 1 ? " step: " : " steps: ") + why;
 }
 
-LongSettle::LongSettle(const Session& session, bool of_recipe) : of_recipe_(of_recipe) {
+LongSettle::LongSettle(const Session& session, const std::optional<SettleStep>& of_recipe)
+    : of_recipe_(of_recipe) {
   startAgain(session);
 }
 
@@ -50,7 +51,7 @@ void LongSettle::startAgain(const Session& session) {
 
 EditRecord LongSettle::finish(Session& session) {
   if (work_->error()) std::rethrow_exception(work_->error());
-  return session.accept(std::move(*settled_->simulation), std::move(settled_->record));
+  return session.accept(std::move(*settled_->simulation), std::move(settled_->record), of_recipe_);
 }
 
 std::unique_ptr<Background> LongSettle::giveUp() {
@@ -63,12 +64,12 @@ LongLoad::LongLoad(std::string path, Read read)
       paper_(std::make_shared<Paper>()),
       work_(std::make_unique<Background>(
           [paper = paper_, read = std::move(read)](const Background::Cancelled&) {
-            paper->simulation.emplace(read(paper->notes));
+            paper->read.emplace(read(paper->notes));
           })) {}
 
-Simulation LongLoad::finish() {
+NewPaper LongLoad::finish() {
   if (work_->error()) std::rethrow_exception(work_->error());
-  return std::move(*paper_->simulation);
+  return std::move(*paper_->read);
 }
 
 std::unique_ptr<Background> LongLoad::giveUp() { return std::move(work_); }
@@ -82,7 +83,7 @@ std::future<double> LongRequests::step(std::uint32_t count) {
 
 std::future<EditRecord> LongRequests::settle(const Session& session) {
   requireNone();
-  settling_ = std::make_unique<LongSettle>(session, false);
+  settling_ = std::make_unique<LongSettle>(session, std::nullopt);
   return settling_->answer.get_future();
 }
 
@@ -95,9 +96,9 @@ std::future<msg::Load::Response> LongRequests::load(const std::string& path, Lon
   return loading_->answer.get_future();
 }
 
-void LongRequests::settleForRecipe(const Session& session) {
+void LongRequests::settleForRecipe(const Session& session, const SettleStep& step) {
   endSettle("a recipe settles the paper");
-  settling_ = std::make_unique<LongSettle>(session, true);
+  settling_ = std::make_unique<LongSettle>(session, step);
 }
 
 void LongRequests::requireNone() const {

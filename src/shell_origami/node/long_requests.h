@@ -29,10 +29,10 @@ struct LongStep {
 /// A copy of the paper that moves to equilibrium in the background.
 class LongSettle {
  public:
-  /// \param of_recipe  whether a recipe's step asks for it, and no request
-  LongSettle(const Session& session, bool of_recipe);
+  /// \param of_recipe  the step of a recipe that asks for it; none: a request does
+  LongSettle(const Session& session, const std::optional<SettleStep>& of_recipe);
 
-  bool ofRecipe() const { return of_recipe_; }
+  bool ofRecipe() const { return of_recipe_.has_value(); }
   /// The paper has changed: the copy is of no use any more.
   void outdate();
   bool outdated() const { return outdated_; }
@@ -53,7 +53,7 @@ class LongSettle {
     EditRecord record;
   };
 
-  bool of_recipe_;
+  std::optional<SettleStep> of_recipe_;
   bool outdated_ = false;
   std::shared_ptr<Settled> settled_;
   std::unique_ptr<Background> work_;
@@ -63,14 +63,14 @@ class LongSettle {
 class LongLoad {
  public:
   /// Reads a paper, and takes notes of what was changed in its file to read it.
-  using Read = std::function<Simulation(std::vector<std::string>& notes)>;
+  using Read = std::function<NewPaper(std::vector<std::string>& notes)>;
 
   LongLoad(std::string path, Read read);
 
   const std::string& path() const { return path_; }
   bool done() const { return work_->done(); }
   /// \pre done() \throws std::exception when there is no such paper
-  Simulation finish();
+  NewPaper finish();
   /// \pre done()
   const std::vector<std::string>& notes() const { return paper_->notes; }
   /// The work that is under way, to be waited for elsewhere.
@@ -80,7 +80,7 @@ class LongLoad {
 
  private:
   struct Paper {
-    std::optional<Simulation> simulation;
+    std::optional<NewPaper> read;
     std::vector<std::string> notes;
   };
 
@@ -97,7 +97,7 @@ class LongRequests {
   std::future<EditRecord> settle(const Session& session);
   std::future<msg::Load::Response> load(const std::string& path, LongLoad::Read read);
   /// Begins to settle for a recipe's step, which ends a request to settle.
-  void settleForRecipe(const Session& session);
+  void settleForRecipe(const Session& session, const SettleStep& step);
 
   bool stepping() const { return stepping_.has_value(); }
   LongSettle* settling() const { return settling_.get(); }  ///< null: none is under way

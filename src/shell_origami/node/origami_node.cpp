@@ -35,7 +35,6 @@ OrigamiNode::OrigamiNode(ros::NodeHandle& node, const NodeConfig& config)
       start_wait_(config),
       waiting_(start_wait_.wanted() && !run_.paused) {
   run_.session.setListener(this);
-  if (run_.recipe) run_.session.setNames(run_.recipe->recipe().names);
   run_.session.setUndoMemory(static_cast<std::size_t>(config.undo_memory * 1e6));
   run_.paused = run_.paused || waiting_;
   const Sheet& sheet = run_.session.simulation().sheet();
@@ -167,10 +166,12 @@ void OrigamiNode::keepCheckpoint(bool now) {
 /// Makes the edits of a step of the recipe. Settling, which takes long, is begun.
 bool OrigamiNode::applyOfRecipe(const std::vector<Edit>& edits) {
   if (!std::holds_alternative<SettleEdit>(edits.front())) {
-    apply(edits);
+    run_.session.applyOfRecipe(edits);
     return true;
   }
-  requests_.settleForRecipe(run_.session);
+  const RecipeRunner& runner = run_.recipe->runner();
+  requests_.settleForRecipe(run_.session,
+                            std::get<SettleStep>(runner.recipe().steps[runner.place().step]));
   return false;
 }
 
@@ -181,7 +182,7 @@ bool OrigamiNode::continueRecipe() {
   run_.recipe->look(run_.session.view());
   try {
     const auto make = [this](const std::vector<Edit>& edits) { return applyOfRecipe(edits); };
-    goes_on = run_.recipe->update(run_.session.simulation(), make);
+    goes_on = run_.recipe->update(run_.session.simulation(), make, &run_.session.journal());
   } catch (const std::exception& error) {
     failure = error.what();
   }
@@ -196,12 +197,6 @@ bool OrigamiNode::continueRecipe() {
     if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) halt();
   }
   return true;
-}
-
-void OrigamiNode::turnOver() {
-  Viewpoint view = run_.session.view();
-  view.front = !view.front;
-  run_.session.look(view);
 }
 
 /// None is under way any more by the time the listener hears of it.
@@ -224,7 +219,7 @@ void OrigamiNode::startRecipe(Recipe recipe, const std::string& path,
   if (recipe.states("sheet")) replacePaper(paperOf(recipe), path);
   const bool turns = (recipe.states("sheet") || recipe.states("view")) && publishView(&recipe) &&
                      start_wait_.waitForTurn(publishers_);
-  if (recipe.states("names")) run_.session.setNames(recipe.names);
+  run_.session.journal().addNames(recipe.names);
   run_.recipe.emplace(std::move(recipe), "", std::move(listener));
   if (waiting_) return;
   if (turns) {
@@ -268,10 +263,10 @@ void OrigamiNode::finishLoading() {
   }
 }
 
-void OrigamiNode::replacePaper(Simulation simulation, const std::string& path) {
+void OrigamiNode::replacePaper(NewPaper paper, const std::string& path) {
   endRecipe("another paper takes the place of this one");
   requests_.end("another paper takes the place of this one");
-  run_.session.replace(std::move(simulation), path);
+  run_.session.replace(std::move(paper), path);
 }
 
 void OrigamiNode::reset() {

@@ -35,14 +35,11 @@ class OrigamiNode : private SessionListener {
   const Session& session() const { return run_.session; }
   /// Session::apply(), published on ~edits.
   EditRecord apply(const Edit& edit) { return run_.session.apply(edit); }
-  std::vector<EditRecord> apply(const std::vector<Edit>& edits) {
-    return run_.session.apply(edits);
-  }
   FoldThroughRecord foldThrough(const FoldThrough& fold, const Viewpoint& view) {
     return run_.session.foldThrough(fold, view);
   }
   /// Looks at the paper's other side from now on.
-  void turnOver();
+  void turnOver() { run_.session.turnOver(); }
   /// Takes over what may change while the node runs: publish_rate, markers, real_time_factor.
   void configure(const NodeConfig& config);
   /// Of the paper as it is now. Zero: there is no ROS time yet.
@@ -91,7 +88,7 @@ class OrigamiNode : private SessionListener {
   void cancelRecipe(const std::string& why);
 
  private:
-  void replacePaper(Simulation simulation, const std::string& path);
+  void replacePaper(NewPaper paper, const std::string& path);
   void onEdit(const EditRecord& record) override;
   void onLoad(const std::string& path) override;
   void onReset() override;

@@ -8,26 +8,29 @@
 namespace shell_origami {
 namespace {
 
+NewPaper newPaper(const PaperOrigin& origin, std::vector<std::string>* notes = nullptr) {
+  return {makeSimulation(origin.sheet, origin.config, notes), origin};
+}
+
 /// The sheet and the recipe of the parameters.
 Run newRun(const NodeConfig& config) {
   if (config.recipe.empty()) {
-    return {Session(makeSimulation(config.sheet, config.simulation)), std::nullopt, config.paused};
+    return {Session(newPaper({config.sheet, config.simulation, {}})), std::nullopt, config.paused};
   }
   Recipe recipe = loadRecipe(findRecipe(config.recipe), config.simulation, config.sheet);
-  Simulation simulation = paperOf(recipe);
-  return {Session(std::move(simulation)), RecipeRun(std::move(recipe), config.output),
-          config.paused};
+  NewPaper paper = paperOf(recipe);
+  return {Session(std::move(paper)), RecipeRun(std::move(recipe), config.output), config.paused};
 }
 
 }  // namespace
 
-Simulation paperOf(const Recipe& recipe) {
+NewPaper paperOf(const Recipe& recipe) {
   std::vector<std::string> notes;
-  Simulation simulation = makeSimulation(recipe.sheet, recipe.config, &notes);
+  NewPaper paper = newPaper({recipe.sheet, recipe.config, recipe.names}, &notes);
   for (const std::string& note : notes) {
     ROS_WARN("%s: %s", recipe.sheet.pattern.c_str(), note.c_str());
   }
-  return simulation;
+  return paper;
 }
 
 Run beginRun(const NodeConfig& config, const Checkpoint& checkpoint) {
@@ -37,19 +40,19 @@ Run beginRun(const NodeConfig& config, const Checkpoint& checkpoint) {
   return std::move(*kept);
 }
 
-Simulation paperFromFile(const NodeConfig& config, const std::string& path, double scale,
-                         std::vector<std::string>& notes) {
+NewPaper paperFromFile(const NodeConfig& config, const std::string& path, double scale,
+                       std::vector<std::string>& notes) {
   if (isRecipe(path)) {
     if (scale != 0) {
       reject("scale is ", scale, ", but ", path, " is a recipe, which states its own scale");
     }
     const Recipe recipe = loadRecipe(path, config.simulation, config.sheet);
-    return makeSimulation(recipe.sheet, recipe.config, &notes);
+    return newPaper({recipe.sheet, recipe.config, recipe.names}, &notes);
   }
   SheetSource source = config.sheet;
   source.pattern = path;
   source.scale = scale;
-  return makeSimulation(source, config.simulation, &notes);
+  return newPaper({source, config.simulation, {}}, &notes);
 }
 
 }  // namespace shell_origami

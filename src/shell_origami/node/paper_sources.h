@@ -15,13 +15,13 @@ namespace shell_origami {
 Run beginRun(const NodeConfig& config, const Checkpoint& checkpoint);
 
 /// Makes the paper of a recipe. What was changed to read its pattern is told in the log.
-Simulation paperOf(const Recipe& recipe);
+NewPaper paperOf(const Recipe& recipe);
 
 /// Reads the paper of a crease pattern or a recipe.
 /// \param scale  metres per unit of a crease pattern; 0: the unit that the file states
 /// \param notes  takes a sentence for each thing that was changed to read the file
 /// \throws std::invalid_argument with one sentence
-Simulation paperFromFile(const NodeConfig& config, const std::string& path, double scale,
-                         std::vector<std::string>& notes);
+NewPaper paperFromFile(const NodeConfig& config, const std::string& path, double scale,
+                       std::vector<std::string>& notes);
 
 }  // namespace shell_origami

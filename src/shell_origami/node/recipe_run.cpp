@@ -32,18 +32,20 @@ nlohmann::json RecipeRun::checkpoint() const {
           {"timeouts", place.timeouts}, {"defaults", toJson(recipe().defaults)}};
 }
 
-bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& apply) {
+bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& apply,
+                       RecipeListener* listener) {
   if (start_.isZero()) {
     start_ = ros::SteadyTime::now();
     start_time_ = simulation.time();
   }
   before_.reset();
-  const bool goes_on = runner_.update(simulation, [&](const std::vector<Edit>& edits) {
+  const auto make = [&](const std::vector<Edit>& edits) {
     before_ = runner_.place();
     const bool made = apply(edits);
     if (made) before_.reset();
     return made;
-  });
+  };
+  const bool goes_on = runner_.update(simulation, make, listener);
   for (const std::string& warning : runner_.takeWarnings()) {
     ROS_WARN("%s: %s", recipe().name.c_str(), warning.c_str());
   }

@@ -35,7 +35,9 @@ class RecipeRun {
 
   /// Does what is due before the next step. Returns false once the recipe is over.
   /// \throws std::exception when the paper refuses an edit or the results cannot be written.
-  bool update(const Simulation& simulation, const RecipeRunner::Apply& apply);
+  /// \param listener  of its steps
+  bool update(const Simulation& simulation, const RecipeRunner::Apply& apply,
+              RecipeListener* listener);
 
   /// To be called after every edit while the recipe is under way, with the edit's number.
   void remember(std::uint64_t edit);

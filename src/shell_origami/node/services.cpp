@@ -6,6 +6,7 @@
 #include <shell_origami/node/message_text.h>
 #include <shell_origami/node/tf_utilities.h>
 #include <shell_origami/origami/layer_stack.h>
+#include <shell_origami/origami/recipe_writer.h>
 #include <shell_origami/origami/report.h>
 
 #include <algorithm>
@@ -65,6 +66,17 @@ std::vector<std::uint32_t> creaseIds(const std::vector<EditRecord>& folds) {
     }
   }
   return ids;
+}
+
+/// Writes what was done as a recipe. Returns what is to be said of it.
+std::string saveRecipe(const Session& session, const std::string& path) {
+  const Journal& journal = session.journal();
+  const auto steps = journal.written(session.simulation().folding());
+  writeFiles({{path, recipeText(journal.origin(), steps)}});
+  std::string frames;
+  for (const std::string& frame : journal.frames()) frames += (frames.empty() ? "" : ", ") + frame;
+  const std::string held = "; a recipe has no frames, and holds in place what was carried by ";
+  return "wrote " + path + (frames.empty() ? "" : held + frames);
 }
 
 /// The path of a file on the node's machine. A relative one is relative to the node's working
@@ -280,6 +292,7 @@ bool Services::load(msg::Load::Request& request, msg::Load::Response& response) 
 bool Services::save(msg::Save::Request& request, msg::Save::Response& response) {
   return answer("save", response, [&] {
     const std::string path = filePath(request.path);
+    if (isRecipe(path)) return saveRecipe(origami_.session(), path);
     savePaper(origami_.session().simulation(), path);
     return "wrote " + path;
   });

@@ -4,13 +4,13 @@
 
 #include <shell_origami/node/undo_history.h>
 #include <shell_origami/origami/fold_through.h>
+#include <shell_origami/origami/journal.h>
 #include <shell_origami/origami/simulation.h>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace shell_origami {
@@ -31,18 +31,24 @@ class SessionListener {
   virtual void onUndo(std::uint64_t edit) = 0;
 };
 
+/// A paper, flat or as its file has it, and what makes it again.
+struct NewPaper {
+  Simulation simulation;
+  PaperOrigin origin;
+};
+
 /// A fold through layers that was made.
 struct FoldThroughRecord {
   FoldPlan plan;
   std::vector<EditRecord> folds;  ///< of its layers
 };
 
-/// One paper at a time, and the side from which somebody looks at it. Time, counters, edits and
-/// revision keep growing when another takes its place, and when edits are undone. Nothing else
-/// changes a node's paper.
+/// One paper at a time, the side from which somebody looks at it, and what was done to it. Time,
+/// counters, edits and revision keep growing when another takes its place, and when edits are
+/// undone. Nothing else changes a node's paper.
 class Session {
  public:
-  explicit Session(Simulation simulation);
+  explicit Session(NewPaper paper);
   /// The paper that toJson() or checkpoint() wrote. \throws std::invalid_argument,
   /// nlohmann::json::exception
   explicit Session(const nlohmann::json& json);
@@ -57,18 +63,21 @@ class Session {
   /// Makes an edit (Simulation::apply). Its record has the number, time, steps and revision of the
   /// session.
   EditRecord apply(const Edit& edit);
-  /// Makes edits in order, all of them or, where one is rejected, none. They are undone as one.
-  std::vector<EditRecord> apply(const std::vector<Edit>& edits);
+  /// Makes the edits of a recipe's step in order, all of them or, where one is rejected, none. They
+  /// are undone as one. The recipe notes its step in the journal itself.
+  std::vector<EditRecord> applyOfRecipe(const std::vector<Edit>& edits);
   /// Folds through layers as somebody sees them, who from then on looks at what stays.
   FoldThroughRecord foldThrough(const FoldThrough& fold, const Viewpoint& view);
-  /// The same as the first of an edit that was made on a copy of the simulation.
+  /// The same as apply() of settling that was done on a copy of the simulation.
+  /// \param of_recipe  the step of a recipe that it is
   /// \pre nothing has changed since the copy was made
-  EditRecord accept(Simulation edited, EditRecord record);
+  EditRecord accept(Simulation settled, EditRecord record,
+                    const std::optional<SettleStep>& of_recipe);
   /// Simulation::step().
-  StepReport step() { return simulation_.step(); }
+  StepReport step();
   /// Puts another paper in the place of this one. It is seen from its front.
   /// \param path  of the file it is from; empty: it is from none
-  void replace(Simulation simulation, const std::string& path);
+  void replace(NewPaper paper, const std::string& path);
   /// Makes the paper again as it was when it was loaded, seen from its front.
   void reset();
   /// \param bytes  that may be kept to undo edits; at first none
@@ -80,13 +89,16 @@ class Session {
   /// \throws std::invalid_argument when these are more than are kept
   std::uint64_t undo(std::uint32_t count);
 
-  /// Landmarks that have names on this paper.
-  const LandmarkNames& names() const { return names_; }
-  void setNames(LandmarkNames names) { names_ = std::move(names); }
+  /// What was done to the paper since it was loaded, but for what was undone. Recipes note their
+  /// steps there.
+  Journal& journal() { return *journal_; }
+  const Journal& journal() const { return *journal_; }
 
   const Viewpoint& view() const { return view_; }
-  /// Looks at the paper from another side from now on.
+  /// Looks at the paper as a recipe does from now on.
   void look(const Viewpoint& view) { view_ = view; }
+  /// Looks at the paper's other side from now on.
+  void turnOver();
 
   const Simulation& simulation() const { return simulation_; }
   /// The paper as it was loaded.
@@ -102,13 +114,14 @@ class Session {
  private:
   void follow(Simulation simulation);
   EditRecord record(EditRecord record);
+  std::optional<RecipeStep> turnTo(const Viewpoint& view) const;
   std::optional<BeforeEdit> beforeNext() const;
   void keep(std::optional<BeforeEdit> before);
 
   Simulation simulation_;
   std::shared_ptr<const Snapshot> original_;
   Viewpoint view_;
-  LandmarkNames names_;
+  std::shared_ptr<Journal> journal_;
   UndoHistory history_;
   double time_before_ = 0;
   std::uint64_t edits_ = 0;

@@ -2,7 +2,7 @@
 /// The papers before the last edits, as far back as memory goes.
 #pragma once
 
-#include <shell_origami/origami/layers.h>
+#include <shell_origami/origami/journal.h>
 #include <shell_origami/origami/snapshot.h>
 
 #include <cstdint>
@@ -17,6 +17,8 @@ struct BeforeEdit {
   Snapshot paper;                            ///< before it
   std::shared_ptr<const Snapshot> original;  ///< how that paper was when it was loaded
   Viewpoint view;
+  std::shared_ptr<Journal> journal;  ///< of that paper
+  std::size_t steps;                 ///< that it had
 };
 
 class UndoHistory {
