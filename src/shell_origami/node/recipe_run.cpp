@@ -6,9 +6,77 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace shell_origami {
+namespace {
+
+/// Of folds along lines, as manoeuvres make them.
+nlohmann::json foldsJson(const std::vector<FoldEdit>& folds) {
+  nlohmann::json json = nlohmann::json::array();
+  for (const FoldEdit& fold : folds) {
+    nlohmann::json entry{{"angle", fold.angle}, {"duration", fold.duration.value_or(0)}};
+    if (const auto* line = std::get_if<Segment>(&fold.where)) {
+      entry["line"] = {(*line)[0].x(), (*line)[0].y(), (*line)[1].x(), (*line)[1].y()};
+    } else {
+      entry["crease"] = std::get<CreaseName>(fold.where).name;
+    }
+    if (fold.stiffness) entry["stiffness"] = *fold.stiffness;
+    json.push_back(entry);
+  }
+  return json;
+}
+
+std::vector<FoldEdit> foldsFrom(const nlohmann::json& json) {
+  std::vector<FoldEdit> folds;
+  for (const nlohmann::json& entry : json) {
+    FoldEdit fold;
+    fold.angle = entry.at("angle");
+    fold.duration = entry.at("duration").get<double>();
+    if (entry.count("stiffness")) fold.stiffness = entry.at("stiffness").get<double>();
+    if (entry.count("crease")) {
+      fold.where = CreaseName{entry.at("crease")};
+    } else {
+      const std::array<double, 4> line = entry.at("line");
+      fold.where = Segment{Vector2(line[0], line[1]), Vector2(line[2], line[3])};
+    }
+    folds.push_back(std::move(fold));
+  }
+  return folds;
+}
+
+nlohmann::json underWayJson(const StepUnderWay& under_way) {
+  nlohmann::json phases = nlohmann::json::array();
+  for (const FoldPhase& phase : under_way.phases) {
+    phases.push_back({{"folds", foldsJson(phase.folds)}, {"rest", phase.rest}});
+  }
+  return {{"phase_start", under_way.phase_start},
+          {"phase_length", under_way.phase_length},
+          {"phases", phases},
+          {"result", foldsJson(under_way.result)}};
+}
+
+StepUnderWay underWayFrom(const nlohmann::json& json) {
+  StepUnderWay under_way{
+      json.at("phase_start"), json.at("phase_length"), {}, foldsFrom(json.at("result"))};
+  for (const nlohmann::json& phase : json.at("phases")) {
+    under_way.phases.push_back({foldsFrom(phase.at("folds")), phase.at("rest")});
+  }
+  return under_way;
+}
+
+RecipePlace placeFrom(const nlohmann::json& json) {
+  return {json.at("step"),
+          json.at("started"),
+          json.at("step_start"),
+          std::nullopt,
+          underWayFrom(json.at("under_way")),
+          foldsFrom(json.at("unfolding")),
+          json.at("timeouts")};
+}
+
+}  // namespace
 
 RecipeRun::RecipeRun(Recipe recipe, std::string output, Listener listener)
     : runner_(std::move(recipe)), output_(std::move(output)), listener_(std::move(listener)) {}
@@ -16,8 +84,7 @@ RecipeRun::RecipeRun(Recipe recipe, std::string output, Listener listener)
 RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
     : runner_(readRecipe({checkpoint.at("called"), checkpoint.at("folder"), checkpoint.at("text")},
                          configFrom(checkpoint.at("defaults"))),
-              {checkpoint.at("step"), checkpoint.at("started"), checkpoint.at("step_start"),
-               std::nullopt, checkpoint.at("timeouts")}),
+              placeFrom(checkpoint)),
       output_(checkpoint.at("output")),
       start_(ros::SteadyTime::now()),
       start_time_(checkpoint.at("start")) {}
@@ -25,11 +92,18 @@ RecipeRun::RecipeRun(const nlohmann::json& checkpoint)
 nlohmann::json RecipeRun::checkpoint() const {
   const RecipeText& source = recipe().source;
   const RecipePlace& place = runner_.place();
-  return {{"called", source.called},    {"folder", source.folder},
-          {"text", source.text},        {"step", place.step},
-          {"started", place.started},   {"step_start", place.start_time},
-          {"output", output_},          {"start", start_time_},
-          {"timeouts", place.timeouts}, {"defaults", toJson(recipe().defaults)}};
+  return {{"called", source.called},
+          {"folder", source.folder},
+          {"text", source.text},
+          {"step", place.step},
+          {"started", place.started},
+          {"step_start", place.start_time},
+          {"under_way", underWayJson(place.under_way)},
+          {"unfolding", foldsJson(place.unfolding)},
+          {"output", output_},
+          {"start", start_time_},
+          {"timeouts", place.timeouts},
+          {"defaults", toJson(recipe().defaults)}};
 }
 
 bool RecipeRun::update(const Simulation& simulation, const RecipeRunner::Apply& apply,

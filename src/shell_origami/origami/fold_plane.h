@@ -6,9 +6,13 @@
 #include <shell_origami/origami/landmark.h>
 
 #include <array>
+#include <cmath>
 #include <variant>
 
 namespace shell_origami {
+
+/// By which layers turn where no angle is given: shut, with some room for layers between [rad].
+constexpr double kShutAngle = 178 * M_PI / 180;
 
 /// Brings one point to another.
 struct BringPoint {

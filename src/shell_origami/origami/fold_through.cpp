@@ -15,16 +15,6 @@ double turn(int triangle, const FoldThrough& fold, const LayersBesidePlane& laye
   return std::copysign(fold.angle, (fold.behind ? -1 : 1) * layers.facing(triangle));
 }
 
-/// The angle of a crease that lies on the fold: it turns further.
-double turnFurther(const CreaseStatus& crease, double by) {
-  const double angle = crease.angle + by;
-  if (std::abs(angle) >= M_PI) {
-    reject("crease ", crease.name, " is at ", crease.angle * 180 / M_PI,
-           " degrees and would pass 180");
-  }
-  return angle;
-}
-
 }  // namespace
 
 FoldPlan planFold(const FoldThrough& fold, const Viewpoint& view, const Simulation& simulation) {
@@ -39,8 +29,7 @@ FoldPlan planFold(const FoldThrough& fold, const Viewpoint& view, const Simulati
   FoldPlan plan{{}, layers.viewOfRest(moves)};
   const std::vector<CreaseStatus> creases = simulation.creases();
   for (const LayerCut& cut : cutLayers(sheet, paper, plane, layers, moves)) {
-    const double by = turn(cut.triangle, fold, layers);
-    const double angle = cut.crease < 0 ? by : turnFurther(creases[cut.crease], by);
+    const double angle = angleOf(cut, turn(cut.triangle, fold, layers), creases);
     plan.layers.push_back({cut.panel, cut.line, angle});
   }
   if (plan.layers.empty()) reject("no layer is cut by the fold");
@@ -54,6 +43,7 @@ std::vector<FoldEdit> foldEdits(const FoldPlan& plan, const FoldThrough& fold) {
     edit.where = layer.line;
     edit.angle = layer.angle;
     edit.duration = fold.duration;
+    edit.name = fold.name;
     edits.push_back(std::move(edit));
   }
   return edits;

@@ -7,12 +7,10 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace shell_origami {
-
-/// By which layers turn where no angle is given: shut, with some room for layers between [rad].
-constexpr double kShutAngle = 178 * (M_PI / 180);
 
 struct FoldThrough {
   FoldAxiom axiom;
@@ -22,6 +20,7 @@ struct FoldThrough {
   bool behind = false;             ///< the way: away from the viewer instead of towards
   double angle = kShutAngle;       ///< by which the layers turn [rad], inside (0, pi)
   std::optional<double> duration;  ///< [s]; none: SimulationConfig::fold_duration
+  std::string name;                ///< of the new creases; empty: generated
 };
 
 /// The fold of one layer.

@@ -21,7 +21,7 @@ struct StepOf {
   std::optional<RecipeStep> operator()(const FoldEdit&) const {
     FoldEdit fold = std::get<FoldEdit>(made.edit);
     const double duration = *std::exchange(fold.duration, std::nullopt);
-    return FoldStep{{fold}, duration};
+    return FoldStep{{fold}, {}, duration};
   }
   std::optional<RecipeStep> operator()(const PinEdit& given) const {
     // Recipes have no balls in space.
@@ -65,6 +65,7 @@ struct TakesTime {
   bool operator()(const AddVertexStep&) const { return false; }
   bool operator()(const StopStep&) const { return false; }
   bool operator()(const ConfigureStep&) const { return false; }
+  bool operator()(const LoosenStep&) const { return false; }
 };
 
 /// Adds a step to the one before where one step can do both, without time between them.
@@ -72,6 +73,9 @@ bool merge(const WrittenStep& next, WrittenStep& before) {
   auto* folds = std::get_if<FoldStep>(&before.step);
   const auto* more_folds = std::get_if<FoldStep>(&next.step);
   if (folds && more_folds && before.lasts == 0.0 && folds->duration == more_folds->duration) {
+    for (const auto& [i, ends] : more_folds->lines) {
+      folds->lines[folds->folds.size() + i] = ends;
+    }
     folds->folds.insert(folds->folds.end(), more_folds->folds.begin(), more_folds->folds.end());
     before.lasts = next.lasts;
     return true;

@@ -2,6 +2,7 @@
 
 #include <shell_origami/base/error.h>
 #include <shell_origami/contact/distance.h>
+#include <shell_origami/origami/crease_paths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,6 @@ namespace {
 
 /// A point this far off the paper is taken to be on it, relative to the sheet's size: people round.
 constexpr double kOffPaper = 1e-6;
-/// A line that turns by less at a vertex goes straight on [rad].
-constexpr double kStraight = 5 * M_PI / 180;
 
 /// The neighbors of each vertex along some edges.
 using Neighbors = std::map<int, std::vector<int>>;
@@ -65,14 +64,7 @@ Vector2 Resolve::operator()(const CornerNear& corner) const {
 }
 
 Vector2 Resolve::operator()(const LinesMeet& lines) const {
-  const Vector2 a = of(lines.ends[0]), b = of(lines.ends[1]);
-  const Vector2 c = of(lines.ends[2]), d = of(lines.ends[3]);
-  const double turn = cross(b - a, d - c);
-  if (!(std::abs(turn) > 1e-9 * (b - a).norm() * (d - c).norm())) {
-    reject("the lines through (", a.x(), ", ", a.y(), ") and through (", c.x(), ", ", c.y(),
-           ") do not meet: they are parallel");
-  }
-  return a + cross(c - a, d - c) / turn * (b - a);
+  return meetingOf({of(lines.ends[0]), of(lines.ends[1])}, {of(lines.ends[2]), of(lines.ends[3])});
 }
 
 }  // namespace

@@ -152,6 +152,17 @@ class Cutter {
 
 }  // namespace
 
+double angleOf(const LayerCut& cut, double by, const std::vector<CreaseStatus>& creases) {
+  if (cut.crease < 0) return by;
+  const CreaseStatus& crease = creases[cut.crease];
+  const double angle = crease.target_angle + by;
+  if (std::abs(angle) >= M_PI) {
+    reject("crease ", crease.name, " is at ", crease.target_angle * 180 / M_PI,
+           " degrees and would pass 180");
+  }
+  return angle;
+}
+
 std::vector<LayerCut> cutLayers(const Sheet& sheet, const ViewedPaper& paper,
                                 const FoldPlane& plane, const LayersBesidePlane& layers,
                                 const std::vector<bool>& moves) {

@@ -19,6 +19,10 @@ struct LayerCut {
   int crease = -1;  ///< index into Sheet::creases(), where one lies on the plane
 };
 
+/// The angle of a cut's crease that turns by an angle [rad]: one that is there turns further.
+/// \throws std::invalid_argument where it would pass 180 degrees
+double angleOf(const LayerCut& cut, double by, const std::vector<CreaseStatus>& creases);
+
 /// Returns the cuts of what moves: of panels in their order, then of creases in theirs. A cut ends
 /// at a corner or at the end of a crease that is near.
 /// \param moves  of each triangle

@@ -4,6 +4,8 @@
 #include <shell_origami/mesh/mesh_refine.h>
 #include <shell_origami/mesh/triangulate.h>
 #include <shell_origami/origami/layer_stack.h>
+#include <shell_origami/origami/precreases.h>
+#include <shell_origami/origami/step_beginning.h>
 
 #include <Eigen/Geometry>
 
@@ -52,58 +54,11 @@ RecipeRunner::RecipeRunner(Recipe recipe, const RecipePlace& place)
 
 namespace {
 
-/// The edits that begin a step, and the view of the paper after it.
-struct Edits {
-  const Simulation& simulation;
-  Viewpoint view;
-
-  std::vector<Edit> operator()(const PinStep& step) const { return {PinEdit{step.where}}; }
-  std::vector<Edit> operator()(const UnpinStep& step) const { return {UnpinEdit{step.where}}; }
-  std::vector<Edit> operator()(const FoldStep& step) const {
-    std::vector<Edit> edits;
-    for (FoldEdit fold : step.folds) {
-      if (!fold.duration) fold.duration = step.duration;
-      edits.emplace_back(std::move(fold));
-    }
-    return edits;
-  }
-  std::vector<Edit> operator()(const SettleStep& step) const {
-    if (!step.quasi_static) return {};
-    return {SettleEdit{}};
-  }
-  std::vector<Edit> operator()(const FoldThroughStep& step) {
-    FoldThrough fold = step.fold;
-    fold.duration = step.duration;
-    const FoldPlan plan = planFold(fold, view, simulation);
-    view = plan.after;
-    std::vector<Edit> edits;
-    for (const FoldEdit& edit : foldEdits(plan, fold)) edits.emplace_back(edit);
-    return edits;
-  }
-  std::vector<Edit> operator()(const TurnOverStep&) {
-    view.front = !view.front;
-    return {};
-  }
-  std::vector<Edit> operator()(const LookStep& step) {
-    view = viewFrom(step.from, simulation);
-    return {};
-  }
-  std::vector<Edit> operator()(const WaitStep&) const { return {}; }
-  std::vector<Edit> operator()(const AddVertexStep& step) const { return {step.edit}; }
-  std::vector<Edit> operator()(const StopStep&) const { return {StopEdit{}}; }
-  std::vector<Edit> operator()(const ConfigureStep& step) const {
-    LiveConfig live = liveConfigOf(simulation.config());
-    live.gravity = step.gravity.value_or(live.gravity);
-    live.air_damping = step.air_damping.value_or(live.air_damping);
-    live.fold_duration = step.fold_duration.value_or(live.fold_duration);
-    return {ConfigureEdit{live}};
-  }
-};
-
-/// Whether a step is over.
+/// Whether a step, or the phase of it that is under way, is over.
 struct Over {
   const Simulation& simulation;
   double elapsed;
+  double phase_end;  ///< at the latest [s]
 
   bool operator()(const PinStep&) const { return true; }
   bool operator()(const UnpinStep&) const { return true; }
@@ -116,6 +71,11 @@ struct Over {
   bool operator()(const StopStep&) const { return true; }
   bool operator()(const ConfigureStep&) const { return true; }
   bool operator()(const SettleStep& step) const { return elapsed >= step.timeout || settled(); }
+  bool operator()(const ManoeuvreStep&) const {
+    return !simulation.folding() && (simulation.time() >= phase_end || settled());
+  }
+  bool operator()(const UnfoldStep&) const { return !simulation.folding(); }
+  bool operator()(const LoosenStep&) const { return true; }
   /// The residual speeds of a fold just begun are not rest.
   bool settled() const { return elapsed > 0 && simulation.settled(); }
   /// Whether so many seconds have passed. Times are rounded as steps are added up, and as people
@@ -138,6 +98,9 @@ struct Word {
   const char* operator()(const AddVertexStep&) const { return "add_vertex"; }
   const char* operator()(const StopStep&) const { return "stop"; }
   const char* operator()(const ConfigureStep&) const { return "configure"; }
+  const char* operator()(const ManoeuvreStep& step) const { return wordOf(step.manoeuvre); }
+  const char* operator()(const UnfoldStep&) const { return "unfold"; }
+  const char* operator()(const LoosenStep&) const { return "loosen"; }
 };
 
 struct Length {
@@ -149,6 +112,8 @@ struct Length {
   double operator()(const SettleStep& step) const { return step.timeout; }
   double operator()(const FoldThroughStep& step) const { return step.duration; }
   double operator()(const WaitStep& step) const { return step.seconds; }
+  double operator()(const ManoeuvreStep& step) const { return step.manner.duration; }
+  double operator()(const UnfoldStep& step) const { return step.duration; }
 };
 
 }  // namespace
@@ -157,22 +122,57 @@ bool RecipeRunner::update(const Simulation& simulation, const Apply& apply,
                           RecipeListener* listener) {
   while (!finished()) {
     const RecipeStep& step = recipe_.steps[place_.step];
+    if (recipe_.precrease && place_.step == 0 && !place_.started) {
+      drawLines(simulation, apply, listener);
+    }
     if (!place_.started) {
-      Edits visitor{simulation, place_.view.value_or(frontOf(simulation.sheet()))};
-      const std::vector<Edit> edits = std::visit(visitor, step);
-      const bool made = edits.empty() || apply(edits);
-      place_.started = true;
-      place_.view = visitor.view;
-      place_.start_time = simulation.time();
-      if (!made) return true;
+      if (!begin(step, simulation, apply)) return true;
       if (listener) listener->onStepBegun(step, simulation.time());
     }
     if (!over(simulation)) return true;
+    if (!place_.under_way.phases.empty()) {
+      beginPhase(simulation, apply);
+      continue;
+    }
+    if (std::holds_alternative<ManoeuvreStep>(step)) noteResult(simulation);
     if (listener) listener->onStepOver(simulation.time());
     ++place_.step;
     place_.started = false;
+    place_.under_way = {};
   }
   return false;
+}
+
+/// Draws the recipe's lines on the flat sheet.
+void RecipeRunner::drawLines(const Simulation& simulation, const Apply& apply,
+                             RecipeListener* listener) {
+  FoldStep drawing{precreasesOf(recipe_), {}, 0};
+  if (drawing.folds.empty()) return;
+  apply({drawing.folds.begin(), drawing.folds.end()});
+  if (!listener) return;
+  listener->onStepBegun(drawing, simulation.time());
+  listener->onStepOver(simulation.time());
+}
+
+bool RecipeRunner::begin(const RecipeStep& step, const Simulation& simulation, const Apply& apply) {
+  StepBeginning beginning = beginningOf(step, place_, simulation);
+  std::vector<FoldEdit> unfolding = unfoldingOf(beginning, simulation);
+  const bool made = beginning.edits.empty() || apply(beginning.edits);
+  if (!unfolding.empty()) place_.unfolding = std::move(unfolding);
+  place_.started = true;
+  place_.view = beginning.view;
+  place_.under_way = std::move(beginning.under_way);
+  place_.start_time = place_.under_way.phase_start = simulation.time();
+  return made;
+}
+
+void RecipeRunner::beginPhase(const Simulation& simulation, const Apply& apply) {
+  StepUnderWay& under_way = place_.under_way;
+  const FoldPhase phase = std::move(under_way.phases.front());
+  under_way.phases.erase(under_way.phases.begin());
+  under_way.phase_length = lengthOf(phase);
+  under_way.phase_start = simulation.time();
+  apply({phase.folds.begin(), phase.folds.end()});
 }
 
 bool RecipeRunner::update(Simulation& simulation) {
@@ -182,11 +182,24 @@ bool RecipeRunner::update(Simulation& simulation) {
   });
 }
 
-/// Whether the step under way is.
+/// Tells of the creases that a manoeuvre left far from where they are to be.
+void RecipeRunner::noteResult(const Simulation& simulation) {
+  for (const std::string& sentence : failuresOf(place_.under_way.result, simulation)) {
+    std::ostringstream warning;
+    warning << "step " << place_.step + 1 << ", " << doing() << ": " << sentence;
+    warnings_.push_back(warning.str());
+  }
+}
+
+/// Whether the step under way, or its phase, is over.
 bool RecipeRunner::over(const Simulation& simulation) {
-  const Over over{simulation, simulation.time() - place_.start_time};
+  const bool last_phase = place_.under_way.phases.empty();
+  const Over over{simulation, simulation.time() - place_.start_time,
+                  place_.under_way.phase_start + place_.under_way.phase_length};
   const auto lasts = recipe_.lasts.find(place_.step);
-  if (lasts != recipe_.lasts.end()) return over.after(lasts->second);
+  if (lasts != recipe_.lasts.end() && last_phase) {
+    return over.after(lasts->second);
+  }
   const RecipeStep& step = recipe_.steps[place_.step];
   if (!std::visit(over, step)) return false;
   const auto* settle = std::get_if<SettleStep>(&step);

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <shell_origami/origami/fold_through.h>
+#include <shell_origami/origami/manoeuvre.h>
 #include <shell_origami/origami/sheet_source.h>
 #include <shell_origami/origami/simulation.h>
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
@@ -31,7 +34,9 @@ struct UnpinStep {
 };
 struct FoldStep {
   std::vector<FoldEdit> folds;
-  double duration = 1;
+  /// The ends of lines that are given by landmarks, by the number of their fold.
+  std::map<std::size_t, std::array<Landmark, 2>> lines = {};
+  double duration = 1;  ///< [s]
 };
 /// Waits until the paper has settled; quasi-statically it goes to equilibrium first, at once.
 struct SettleStep {
@@ -63,9 +68,23 @@ struct ConfigureStep {
   std::optional<Vector3> gravity;
   std::optional<double> air_damping, fold_duration;
 };
-using RecipeStep =
-    std::variant<PinStep, UnpinStep, FoldStep, SettleStep, FoldThroughStep, TurnOverStep, LookStep,
-                 WaitStep, AddVertexStep, StopStep, ConfigureStep>;
+struct ManoeuvreStep {
+  Manoeuvre manoeuvre;
+  ManoeuvreManner manner;
+};
+/// Takes back the last step that folded: its creases return to where they were.
+struct UnfoldStep {
+  double duration = 1;  ///< [s]
+};
+/// Gives creases another stiffness, and leaves their angles.
+struct LoosenStep {
+  std::vector<std::string> names;
+  std::vector<std::array<Landmark, 2>> lines;  ///< the ends of each
+  double stiffness = 0;                        ///< [N*m/rad per m]
+};
+using RecipeStep = std::variant<PinStep, UnpinStep, FoldStep, SettleStep, FoldThroughStep,
+                                TurnOverStep, LookStep, WaitStep, AddVertexStep, StopStep,
+                                ConfigureStep, ManoeuvreStep, UnfoldStep, LoosenStep>;
 
 /// From where the finished model looks best: rviz's orbit camera.
 struct View {
@@ -88,6 +107,7 @@ struct Recipe {
   SimulationConfig defaults;  ///< with which it was read: read so again, it is the same recipe
   View view;
   LandmarkNames names;
+  bool precrease = false;  ///< whether every line is drawn on the flat sheet first
   std::vector<RecipeStep> steps;
   /// How long steps last that state it, by their index [s]. Others last until they are done.
   std::map<int, double> lasts;
@@ -114,12 +134,22 @@ Recipe loadRecipe(const std::string& path, const SimulationConfig& defaults = {}
 Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults = {},
                   const SheetSource& sheet = {}, const Overrides& overrides = {});
 
+/// Of a step in phases, what is still to come.
+struct StepUnderWay {
+  double phase_start = 0;         ///< of the phase under way [s]
+  double phase_length = 0;        ///< of the phase under way, at most [s]
+  std::vector<FoldPhase> phases;  ///< after it
+  std::vector<FoldEdit> result;   ///< the step's creases, as they are to be at its end
+};
+
 /// How far a recipe is.
 struct RecipePlace {
   int step = 0;                   ///< under way, 0-based
   bool started = false;           ///< whether that step's edits are made
   double start_time = 0;          ///< of that step [s]
   std::optional<Viewpoint> view;  ///< none: that of the flat sheet's front
+  StepUnderWay under_way;
+  std::vector<FoldEdit> unfolding;  ///< what takes the last step that folded back
   /// Steps before it, 0-based, that ended at their timeout before the paper had settled.
   std::vector<int> timeouts;
 };
@@ -165,6 +195,10 @@ class RecipeRunner {
  private:
   bool over(const Simulation& simulation);
   double length(int step) const;
+  void drawLines(const Simulation& simulation, const Apply& apply, RecipeListener* listener);
+  bool begin(const RecipeStep& step, const Simulation& simulation, const Apply& apply);
+  void beginPhase(const Simulation& simulation, const Apply& apply);
+  void noteResult(const Simulation& simulation);
   void noteTimeout(const SettleStep& step);
 
   Recipe recipe_;

@@ -132,12 +132,16 @@ void readRoot(const RecipeReader& reader, const YAML::Node& root, const fs::path
     readSheet(reader, node, folder, recipe.sheet, config.rest);
   };
   handlers["view"] = [&](const YAML::Node& node) { readView(reader, node, recipe.view); };
+  handlers["precrease"] = reader.into(&recipe.precrease, "precrease");
   handlers["names"] = [&](const YAML::Node& node) { names = node; };
   handlers["steps"] = [&](const YAML::Node& node) { steps = node; };
   reader.readMap(root, "the recipe", handlers);
   for (const auto& entry : root) recipe.stated.insert(entry.first.Scalar());
   if (steps.IsDefined() && !steps.IsNull() && !steps.IsSequence()) {
     reader.refuseAt(steps, "steps must be a list");
+  }
+  if (recipe.precrease && !recipe.states("sheet")) {
+    reader.refuseAt(root["precrease"], "precrease needs the recipe's own sheet");
   }
   if (!names.IsNull()) recipe.names = readNames(reader, names);
   for (const YAML::Node& step : steps) {

@@ -3,12 +3,21 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
 namespace {
 
-FoldEdit readFoldEntry(const RecipeReader& reader, const YAML::Node& node) {
+/// A line that is given by two points, which may be off the paper.
+Segment readLine(const RecipeReader& reader, const YAML::Node& node) {
+  const auto ends = reader.points(node, "line");
+  if (ends.size() != 2) reader.refuseAt(node, "a line has two ends");
+  return {ends[0], ends[1]};
+}
+
+void readFoldEntry(const RecipeReader& reader, const YAML::Node& node, const LandmarkNames& names,
+                   FoldStep& step) {
   FoldEdit fold;
   bool has_place = false;
   int angles = 0;
@@ -21,9 +30,12 @@ FoldEdit readFoldEntry(const RecipeReader& reader, const YAML::Node& node) {
       {{"line",
         [&](const YAML::Node& value) {
           place(value);
-          const auto ends = reader.points(value, "line");
-          if (ends.size() != 2) reader.refuseAt(value, "a line has two ends");
-          fold.where = Segment{ends[0], ends[1]};
+          if (value.IsSequence() && value.size() > 0 && value[0].IsSequence()) {
+            fold.where = readLine(reader, value);
+            return;
+          }
+          const auto ends = readLandmarks(reader, value, 2, "a line", names);
+          step.lines[step.folds.size()] = {ends[0], ends[1]};
         }},
        {"crease",
         [&](const YAML::Node& value) {
@@ -59,7 +71,7 @@ FoldEdit readFoldEntry(const RecipeReader& reader, const YAML::Node& node) {
         }}});
   if (!has_place) reader.refuseAt(node, "a fold needs a line or a crease");
   if (angles != 1) reader.refuseAt(node, "a fold needs either angle_deg or part");
-  return fold;
+  step.folds.push_back(std::move(fold));
 }
 
 std::vector<std::int64_t> readVertices(const RecipeReader& reader, const YAML::Node& node) {
@@ -136,8 +148,20 @@ double readSeconds(const RecipeReader& reader, const YAML::Node& node, const std
 }
 
 constexpr const char* kSteps =
-    "pin, unpin, fold, fold_through, turn_over, look_from, settle, wait, add_vertex, stop or "
-    "configure";
+    "pin, unpin, fold, fold_through, petal, squash, reverse, unfold, loosen, turn_over, look_from, "
+    "settle, wait, add_vertex, stop or configure";
+
+/// The duration that a recipe may state of a step; null: none.
+struct Duration {
+  double* operator()(FoldStep& step) const { return &step.duration; }
+  double* operator()(FoldThroughStep& step) const { return &step.duration; }
+  double* operator()(ManoeuvreStep& step) const { return &step.manner.duration; }
+  double* operator()(UnfoldStep& step) const { return &step.duration; }
+  template <class Other>
+  double* operator()(Other&) const {
+    return nullptr;
+  }
+};
 
 }  // namespace
 
@@ -159,12 +183,28 @@ RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double f
             reader.refuseAt(value, "fold must be a list of folds");
           }
           FoldStep step;
-          for (const YAML::Node& entry : value) step.folds.push_back(readFoldEntry(reader, entry));
+          for (const YAML::Node& entry : value) readFoldEntry(reader, entry, names, step);
           steps.push_back(step);
         }},
        {"fold_through",
         [&](const YAML::Node& value) {
           steps.push_back(FoldThroughStep{readFoldThrough(reader, value, names)});
+        }},
+       {"petal",
+        [&](const YAML::Node& value) { steps.push_back(readPetal(reader, value, names)); }},
+       {"squash",
+        [&](const YAML::Node& value) { steps.push_back(readSquash(reader, value, names)); }},
+       {"reverse",
+        [&](const YAML::Node& value) { steps.push_back(readReverse(reader, value, names)); }},
+       {"loosen",
+        [&](const YAML::Node& value) { steps.push_back(readLoosen(reader, value, names)); }},
+       {"unfold",
+        [&](const YAML::Node& value) {
+          reader.readMap(value, "unfold", {{"step", [&](const YAML::Node& which) {
+                                              if (reader.text(which, "step") == "last") return;
+                                              reader.refuseAt(which, "unfold takes step: last");
+                                            }}});
+          steps.push_back(UnfoldStep{});
         }},
        {"turn_over",
         [&](const YAML::Node& value) {
@@ -211,11 +251,11 @@ RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double f
   if (steps.size() != 1) {
     reader.refuseAt(node, "a step does one thing: ", kSteps, ", not ", steps.size());
   }
-  auto* fold = std::get_if<FoldStep>(&steps[0]);
-  auto* through = std::get_if<FoldThroughStep>(&steps[0]);
-  if (has_duration && !fold && !through) reader.refuseAt(node, "duration belongs to a fold");
-  if (fold) fold->duration = duration;
-  if (through) through->duration = duration;
+  double* length = std::visit(Duration{}, steps[0]);
+  if (has_duration && !length) reader.refuseAt(node, "duration belongs to a fold");
+  const auto* manoeuvre = std::get_if<ManoeuvreStep>(&steps[0]);
+  if (manoeuvre && !has_duration) duration = fold_duration * lengthOf(manoeuvre->manoeuvre);
+  if (length) *length = duration;
   return steps[0];
 }
 

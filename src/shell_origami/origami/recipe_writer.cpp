@@ -44,6 +44,22 @@ struct AxiomText {
   }
 };
 
+struct ManoeuvreText {
+  const LandmarkText& text;
+  YamlMap& entries;
+
+  void operator()(const PetalFold& petal) const { entries.add("flap", text(petal.flap)); }
+  void operator()(const SquashFold& squash) const {
+    entries.add("flap", text(squash.flap)).add("bring", text(squash.bring));
+    entries.add("to", text.several(squash.onto));
+  }
+  void operator()(const ReverseFold& reverse) const {
+    entries.add("flap", text(reverse.flap));
+    std::visit(AxiomText{text, entries}, reverse.axiom);
+    if (!reverse.inside) entries.add("inside", "false");
+  }
+};
+
 struct WhereText {
   std::string operator()(const std::vector<std::int64_t>& vertices) const {
     return "{vertices: " + list(vertices, [](std::int64_t v) { return std::to_string(v); }) + "}";
@@ -71,9 +87,11 @@ struct StepText {
   }
   std::string operator()(const FoldStep& step) const {
     std::string folds;
-    for (const FoldEdit& edit : step.folds) {
+    for (std::size_t i = 0; i < step.folds.size(); ++i) {
+      const auto ends = step.lines.find(i);
       // As far as the opening bracket.
-      folds += (folds.empty() ? "" : ",\n           ") + fold(edit);
+      folds += (folds.empty() ? "" : ",\n           ");
+      folds += fold(step.folds[i], ends == step.lines.end() ? "" : landmark.several(ends->second));
     }
     return "fold: [" + folds + "]" + duration(step.duration);
   }
@@ -95,6 +113,7 @@ struct StepText {
     if (fold.layers == FoldLayers::kFlap) entries.add("flap", landmark(fold.flap));
     if (fold.behind) entries.add("way", "behind");
     if (fold.angle != kShutAngle) entries.add("angle_deg", degrees(fold.angle));
+    if (!fold.name.empty()) entries.add("name", word(fold.name));
     return "fold_through: " + entries.text() + duration(step.duration);
   }
   std::string operator()(const TurnOverStep&) const { return "turn_over: {}"; }
@@ -114,6 +133,28 @@ struct StepText {
     return "configure: " + entries.text();
   }
 
+  std::string operator()(const ManoeuvreStep& step) const {
+    YamlMap entries;
+    std::visit(ManoeuvreText{landmark, entries}, step.manoeuvre);
+    if (step.manner.angle != kShutAngle) entries.add("angle_deg", degrees(step.manner.angle));
+    return std::string(wordOf(step.manoeuvre)) + ": " + entries.text() +
+           "\n    duration: " + numberText(step.manner.duration);
+  }
+  std::string operator()(const UnfoldStep& step) const {
+    return "unfold: {step: last}" + duration(step.duration);
+  }
+  std::string operator()(const LoosenStep& step) const {
+    std::string creases;
+    const auto add = [&](const std::string& crease) {
+      creases += (creases.empty() ? "" : ", ") + crease;
+    };
+    for (const std::string& name : step.names) add(word(name));
+    for (const auto& ends : step.lines) add(landmark.several(ends));
+    YamlMap entries;
+    entries.add("creases", "[" + creases + "]").add("stiffness", numberText(step.stiffness));
+    return "loosen: " + entries.text();
+  }
+
   /// A time in as few digits as tell its number of steps.
   std::string seconds(double time) const {
     const double rounding = kTimeRounding * origin.config.solver.time_step;
@@ -130,9 +171,12 @@ struct StepText {
     return "\n    duration: " + numberText(time);
   }
 
-  std::string fold(const FoldEdit& edit) const {
+  /// \param ends  of its line, where landmarks give them; else empty
+  std::string fold(const FoldEdit& edit, const std::string& ends) const {
     YamlMap entries;
-    if (const auto* line = std::get_if<Segment>(&edit.where)) {
+    if (!ends.empty()) {
+      entries.add("line", ends);
+    } else if (const auto* line = std::get_if<Segment>(&edit.where)) {
       entries.add("line", points({(*line)[0], (*line)[1]}));
     } else if (const auto* crease = std::get_if<CreaseName>(&edit.where)) {
       entries.add("crease", word(crease->name));

@@ -19,7 +19,7 @@ namespace {
 constexpr double kAsked = 0.1, kThere = 0.5;
 /// Panels are flat where all but a part of their area lies at less than this angle [rad] to the
 /// stack of layers.
-constexpr double kFlatEnough = 0.45, kNotFlat = 0.01;
+constexpr double kFlatEnough = 0.7, kNotFlat = 0.02;
 /// Panels close where edges of paper folded exactly flat keep their lengths to this part of the
 /// sheet's size.
 constexpr double kCloses = 1e-4;
@@ -90,6 +90,12 @@ std::optional<Positions> foldedFlat(const Simulation& simulation, const Vector3&
 }
 
 }  // namespace
+
+Viewpoint viewAt(const Vector2& point, const Sheet& sheet, const ViewedPaper& paper) {
+  const auto place = sheet.triangulation().locate(point, 1e-6 * sheet.size());
+  const Vector3 normal = areaNormal(sheet.triangles()[place->triangle], paper.positions);
+  return {point, normal.dot(paper.viewer) > 0};
+}
 
 Vector3 areaNormal(const Triangle& t, const Positions& x) {
   return Vector3(x.col(t[1]) - x.col(t[0])).cross(Vector3(x.col(t[2]) - x.col(t[0])));

@@ -31,6 +31,10 @@ struct ViewedPaper {
 /// \throws std::invalid_argument where the viewpoint is off the paper, or its layer stands on edge
 ViewedPaper viewedPaper(const Viewpoint& view, const Simulation& simulation);
 
+/// Returns the same view, looked at from another point of the flat sheet.
+/// \pre it is on the paper
+Viewpoint viewAt(const Vector2& point, const Sheet& sheet, const ViewedPaper& paper);
+
 /// The normal of a triangle in space, twice its area long.
 Vector3 areaNormal(const Triangle& triangle, const Positions& positions);
 

@@ -1,0 +1,26 @@
+/// \file
+/// What a recipe's step does to the paper when it begins.
+#pragma once
+
+#include <shell_origami/origami/recipe.h>
+
+#include <vector>
+
+namespace shell_origami {
+
+struct StepBeginning {
+  std::vector<Edit> edits;  ///< that begin the step
+  Viewpoint view;           ///< of the paper from now on
+  StepUnderWay under_way;
+};
+
+/// \param place  at the step
+/// \throws std::invalid_argument with one sentence where the paper cannot be folded so
+StepBeginning beginningOf(const RecipeStep& step, const RecipePlace& place,
+                          const Simulation& simulation);
+
+/// Returns the folds that bring the creases of these ones back to where they are asked to be now;
+/// new ones become flat. \pre the folds of lines come before the lines' pieces
+std::vector<FoldEdit> unfoldingOf(const StepBeginning& beginning, const Simulation& simulation);
+
+}  // namespace shell_origami
