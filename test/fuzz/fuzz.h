@@ -8,6 +8,12 @@ namespace shell_origami {
 /// folded in between. True when every promise of edge making was kept.
 bool fuzzFolds(int folds, unsigned seed);
 
+/// Papers with contact, each folded one to three times through its layers, by random axioms,
+/// landmarks, layers and angles. True when each fold either ended with every crease on its side and
+/// no paper through paper, or was rejected with a reason and changed nothing. A step that does not
+/// converge, which must leave the paper as it was, ends a paper's folds: it is stuck.
+bool fuzzFoldsThrough(int papers, unsigned seed);
+
 /// Random recipes: folds up to 175 degrees within no time to a second, materials over three
 /// decades, pins, gravity. True when paper stayed whole throughout and came to rest where nothing
 /// moves it; a step that does not converge must leave it whole too, and give a reason. So must an
