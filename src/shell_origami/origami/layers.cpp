@@ -25,14 +25,21 @@ LayersBesidePlane::LayersBesidePlane(const Sheet& sheet, const ViewedPaper& pape
   findFlaps(near);
 }
 
-double LayersBesidePlane::facing(int triangle) const {
+double LayersBesidePlane::cosine(int triangle) const {
   const Vector3 normal = areaNormal(sheet_.triangles()[triangle], paper_.positions);
-  const double cosine = normal.normalized().dot(paper_.viewer);
-  if (std::abs(cosine) < kOnEdge) {
+  return normal.normalized().dot(paper_.viewer);
+}
+
+bool LayersBesidePlane::standsOnEdge(int triangle) const {
+  return std::abs(cosine(triangle)) < kOnEdge;
+}
+
+double LayersBesidePlane::facing(int triangle) const {
+  if (standsOnEdge(triangle)) {
     const Vector2 p = sheet_.triangulation().centroid(triangle);
     reject("the layer at (", p.x(), ", ", p.y(), ") of the flat sheet stands on edge");
   }
-  return cosine;
+  return cosine(triangle);
 }
 
 /// Triangles are of one flap where they share an edge that reaches beyond the plane.
@@ -149,7 +156,7 @@ Viewpoint LayersBesidePlane::viewOfRest(const std::vector<bool>& moves) const {
     const auto& flat = sheet_.flatPositions();
     const double area = doubleArea(flat[a], flat[b], flat[c]);
     // Of those that the fold cuts a part moves.
-    if (moves[i] || area <= most) continue;
+    if (moves[i] || area <= most || standsOnEdge(static_cast<int>(i))) continue;
     largest = static_cast<int>(i);
     most = area;
   }

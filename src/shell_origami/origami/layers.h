@@ -48,6 +48,8 @@ class LayersBesidePlane {
   };
   std::vector<Hit> hitsAt(const Vector3& point) const;
   std::vector<Hit> hitsAtMover() const;
+  double cosine(int triangle) const;
+  bool standsOnEdge(int triangle) const;
   void findFlaps(double near);
   void requireOnly(const std::vector<bool>& chosen, const std::vector<Hit>& hits,
                    std::size_t count) const;
