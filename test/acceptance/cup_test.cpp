@@ -12,7 +12,7 @@ constexpr double kDegree = M_PI / 180;
 
 // Seven creases of five folds, none of which is given by its place.
 TEST(Cup, IsFoldedThroughItsLayersWithoutACrossing) {
-  const Recipe recipe = loadRecipe("../recipes/cup.yaml", {}, {}, {{"sheet/max_edge", "0.02"}});
+  const Recipe recipe = loadRecipe("../recipes/cup.yaml", {}, {}, {{"sheet/max_edge", "0.015"}});
   Simulation paper = makeSimulation(recipe.sheet, recipe.config);
   RecipeRunner runner(recipe);
   while (runner.update(paper)) {
@@ -25,7 +25,7 @@ TEST(Cup, IsFoldedThroughItsLayersWithoutACrossing) {
   int valleys = 0, mountains = 0;
   for (const CreaseStatus& crease : paper.creases()) {
     // Those around other layers stay open by some degrees.
-    EXPECT_NEAR(crease.angle / kDegree, crease.target_angle / kDegree, 15) << crease.name;
+    EXPECT_NEAR(crease.angle / kDegree, crease.target_angle / kDegree, 12) << crease.name;
     (crease.angle > 0 ? valleys : mountains) += 1;
   }
   EXPECT_EQ(valleys, 3);
