@@ -160,7 +160,10 @@ void foldPaper(int number, RandomSheets& random, Tally& tally) {
   }
   const std::vector<std::string> sentences = shortfalls(paper);
   if (!sentences.empty()) ++tally.short_of;
-  for (const std::string& sentence : sentences) ++tally.shortfalls[firstWords(sentence)];
+  for (const std::string& sentence : sentences) {
+    ++tally.shortfalls[firstWords(sentence)];
+    std::printf("paper %d falls short: %s\n", number, sentence.c_str());
+  }
 }
 
 }  // namespace

@@ -175,6 +175,18 @@ TEST(FoldThrough, SaysWhyPaperCannotBeFoldedSo) {
   expect(down, folded({{strip, 90}}), "stands on edge");
 }
 
+TEST(FoldThrough, LeavesAStripThatIsNarrowerThanTriangles) {
+  const Simulation paper = square({}, 0.03);
+  const Landmark low{PartOfWay{{at(0, 0), at(kSide, 0)}, 0.95}};
+  const FoldThrough most = fold(FoldAcross{{at(0, 0), at(kSide, 0)}, low, at(0, 0)});
+  const FoldPlan plan = planFold(most, frontOf(paper.sheet()), paper);
+  ASSERT_EQ(plan.layers.size(), 1u);
+  EXPECT_GT(plan.after.point.x(), 0.95 * kSide);
+  EXPECT_TRUE(plan.after.front);
+  const FoldThrough all = fold(FoldAcross{{at(0, 0), at(kSide, 0)}, at(kSide, 0), at(0, 0)});
+  EXPECT_NE(refusal(all, paper, frontOf(paper.sheet())).find("nothing stays"), std::string::npos);
+}
+
 TEST(FoldThrough, RefusesPaperThatIsBentAlongTheFold) {
   Sheet sheet(triangulateRectangle(kSide, kSide, 0.015));
   Positions rolled = flatInSpace(sheet);

@@ -3,10 +3,9 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/sheet/rigid_panels.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace shell_origami {
 namespace {
@@ -16,13 +15,32 @@ namespace {
 constexpr double kInwards = 0.05, kSidewards = 0.003;
 /// Layers this close to each other in height are one [m].
 constexpr double kSameHeight = 1e-9;
+/// Boxes have a margin of this part of all lengths, which is far more than rounding amounts to. It
+/// is not of triangles that the viewer sees as thinner than this: their boxes hold everything.
+constexpr double kBoxMargin = 1e-6;
 
 }  // namespace
 
 LayersBesidePlane::LayersBesidePlane(const Sheet& sheet, const ViewedPaper& paper,
                                      const FoldPlane& plane, double near)
-    : sheet_(sheet), paper_(paper), plane_(plane), panels_(panelOfTriangle(sheet)) {
-  findFlaps(near);
+    : sheet_(sheet), paper_(paper), plane_(plane), near_(near), panels_(panelOfTriangle(sheet)) {
+  findFlaps();
+  findBoxes();
+}
+
+void LayersBesidePlane::findBoxes() {
+  across_[0] = paper_.viewer.unitOrthogonal();
+  across_[1] = paper_.viewer.cross(across_[0]);
+  const Positions& x = paper_.positions;
+  const double margin = kBoxMargin * (sheet_.size() + x.cwiseAbs().maxCoeff());
+  for (const Triangle& t : sheet_.triangles()) {
+    Eigen::AlignedBox2d box;
+    for (int v : t) box.extend(seen(x.col(v)));
+    const double lengths = (x.col(t[1]) - x.col(t[0])).norm() * (x.col(t[2]) - x.col(t[0])).norm();
+    const bool thin = std::abs(areaNormal(t, x).dot(paper_.viewer)) < kBoxMargin * lengths;
+    const Vector2 room = Vector2::Constant(thin ? HUGE_VAL : margin);
+    boxes_.emplace_back(box.min() - room, box.max() + room);
+  }
 }
 
 double LayersBesidePlane::cosine(int triangle) const {
@@ -43,8 +61,8 @@ double LayersBesidePlane::facing(int triangle) const {
 }
 
 /// Triangles are of one flap where they share an edge that reaches beyond the plane.
-void LayersBesidePlane::findFlaps(double near) {
-  const auto reaches = [&](int v) { return plane_.distance(paper_.positions.col(v)) > near; };
+void LayersBesidePlane::findFlaps() {
+  const auto reaches = [&](int v) { return plane_.distance(paper_.positions.col(v)) > near_; };
   flaps_ = connectedTriangles(sheet_, [&](const Edge& edge) {
     return reaches(edge.vertices[0]) || reaches(edge.vertices[1]);
   });
@@ -63,7 +81,9 @@ bool LayersBesidePlane::beyond(int triangle) const {
 /// The layers at a point as the viewer sees it, the nearest first.
 std::vector<LayersBesidePlane::Hit> LayersBesidePlane::hitsAt(const Vector3& point) const {
   std::vector<Hit> hits;
+  const Vector2 place = seen(point);
   for (std::size_t i = 0; i < flaps_.size(); ++i) {
+    if (!boxes_[i].contains(place)) continue;
     const Triangle& t = sheet_.triangles()[i];
     const Positions& x = paper_.positions;
     const Vector3 a = x.col(t[0]), u = Vector3(x.col(t[1])) - a, v = Vector3(x.col(t[2])) - a;
@@ -148,6 +168,45 @@ void LayersBesidePlane::requireFree(const std::vector<bool>& moves, bool behind)
   }
 }
 
+/// The corners of the part of a triangle that is on the side that stays, on the flat sheet.
+std::vector<Vector2> LayersBesidePlane::partThatStays(int triangle) const {
+  const Triangle& t = sheet_.triangles()[triangle];
+  const auto& flat = sheet_.flatPositions();
+  std::vector<Vector2> corners;
+  for (int k = 0; k < 3; ++k) {
+    const int v = t[k], w = t[(k + 1) % 3];
+    const double here = plane_.distance(paper_.positions.col(v));
+    const double next = plane_.distance(paper_.positions.col(w));
+    if (here <= 0) corners.push_back(flat[v]);
+    if ((here <= 0) != (next <= 0)) {
+      corners.push_back(flat[v] + here / (here - next) * (flat[w] - flat[v]));
+    }
+  }
+  return corners;
+}
+
+/// Returns a point of what stays of the triangles that the fold cuts.
+/// \throws std::invalid_argument where nothing does
+Vector2 LayersBesidePlane::pointThatStays() const {
+  const auto stays = [&](int v) { return plane_.distance(paper_.positions.col(v)) < -near_; };
+  std::vector<Vector2> largest;
+  double most = 0;
+  for (std::size_t i = 0; i < flaps_.size(); ++i) {
+    const Triangle& t = sheet_.triangles()[i];
+    if (std::none_of(t.begin(), t.end(), stays) || standsOnEdge(static_cast<int>(i))) continue;
+    std::vector<Vector2> part = partThatStays(static_cast<int>(i));
+    double area = 0;
+    for (std::size_t k = 2; k < part.size(); ++k) area += doubleArea(part[0], part[k - 1], part[k]);
+    if (area <= most) continue;
+    most = area;
+    largest = std::move(part);
+  }
+  if (largest.empty()) reject("nothing stays: all of the paper is on the side that moves");
+  Vector2 sum = Vector2::Zero();
+  for (const Vector2& corner : largest) sum += corner;
+  return sum / static_cast<double>(largest.size());
+}
+
 Viewpoint LayersBesidePlane::viewOfRest(const std::vector<bool>& moves) const {
   int largest = -1;
   double most = 0;
@@ -160,7 +219,7 @@ Viewpoint LayersBesidePlane::viewOfRest(const std::vector<bool>& moves) const {
     largest = static_cast<int>(i);
     most = area;
   }
-  if (largest < 0) reject("nothing stays: all of the paper is on the side that moves");
+  if (largest < 0) return viewAt(pointThatStays(), sheet_, paper_);
   return {sheet_.triangulation().centroid(largest), facing(largest) > 0};
 }
 

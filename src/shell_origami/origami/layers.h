@@ -5,6 +5,9 @@
 #include <shell_origami/origami/fold_plane.h>
 #include <shell_origami/origami/viewed_paper.h>
 
+#include <Eigen/Geometry>
+
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -37,7 +40,9 @@ class LayersBesidePlane {
   std::vector<bool> chosen(FoldLayers layers, int count, const std::optional<Vector2>& flap) const;
   /// \throws std::invalid_argument where a layer that stays is in the way of one that moves
   void requireFree(const std::vector<bool>& moves, bool behind) const;
-  /// Returns the same view of the paper at its largest triangle that stays.
+  /// Returns the same view of the paper at its largest triangle that stays or, where the fold cuts
+  /// all of them, at the largest part of one.
+  /// \throws std::invalid_argument where nothing stays
   Viewpoint viewOfRest(const std::vector<bool>& moves) const;
 
  private:
@@ -47,17 +52,26 @@ class LayersBesidePlane {
     int triangle;
   };
   std::vector<Hit> hitsAt(const Vector3& point) const;
+  Vector2 seen(const Vector3& point) const {
+    return {across_[0].dot(point), across_[1].dot(point)};
+  }
+  void findBoxes();
   std::vector<Hit> hitsAtMover() const;
   double cosine(int triangle) const;
   bool standsOnEdge(int triangle) const;
-  void findFlaps(double near);
+  void findFlaps();
+  std::vector<Vector2> partThatStays(int triangle) const;
+  Vector2 pointThatStays() const;
   void requireOnly(const std::vector<bool>& chosen, const std::vector<Hit>& hits,
                    std::size_t count) const;
 
   const Sheet& sheet_;
   const ViewedPaper& paper_;
   FoldPlane plane_;
-  std::vector<int> panels_, flaps_;  ///< of each triangle; no flap: -1
+  double near_;
+  std::vector<int> panels_, flaps_;         ///< of each triangle; no flap: -1
+  std::array<Vector3, 2> across_;           ///< the viewer's direction
+  std::vector<Eigen::AlignedBox2d> boxes_;  ///< around each triangle as the viewer sees it
 };
 
 }  // namespace shell_origami
