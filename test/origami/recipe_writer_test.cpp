@@ -49,6 +49,13 @@ steps:
     duration: 0
   - fold_through: {across: [tip, top], at: a, move: top, flap: "odd \"name\"", angle_deg: 33.3}
   - fold_through: {through: [tip, {on: [a, top], at: 0.25}], move: a}
+  - fold: [{line: [tip, top], angle_deg: 178}]
+  - petal: {flap: tip}
+  - squash: {flap: a, bring: tip, to: [top, a]}
+    duration: 1
+  - reverse: {flap: tip, through: [a, top], move: tip, inside: false, angle_deg: 170}
+  - unfold: {step: last}
+  - loosen: {creases: [middle, [tip, top]], stiffness: 0.01}
   - turn_over: {}
   - look_from: [0, 0.5, -1]
   - add_vertex: {edge: [0, 4], fraction: 0.3}

@@ -137,8 +137,9 @@ struct StepText {
     YamlMap entries;
     std::visit(ManoeuvreText{landmark, entries}, step.manoeuvre);
     if (step.manner.angle != kShutAngle) entries.add("angle_deg", degrees(step.manner.angle));
+    const double by_default = origin.config.fold_duration * lengthOf(step.manoeuvre);
     return std::string(wordOf(step.manoeuvre)) + ": " + entries.text() +
-           "\n    duration: " + numberText(step.manner.duration);
+           duration(step.manner.duration, by_default);
   }
   std::string operator()(const UnfoldStep& step) const {
     return "unfold: {step: last}" + duration(step.duration);
@@ -166,8 +167,9 @@ struct StepText {
   }
 
  private:
-  std::string duration(double time) const {
-    if (time == origin.config.fold_duration) return "";
+  std::string duration(double time) const { return duration(time, origin.config.fold_duration); }
+  static std::string duration(double time, double by_default) {
+    if (time == by_default) return "";
     return "\n    duration: " + numberText(time);
   }
 
