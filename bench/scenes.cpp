@@ -25,7 +25,7 @@ Recipe firstFold(double triangles) {
   Recipe recipe;
   recipe.name = "first_fold";
   recipe.sheet = square(triangles);
-  recipe.steps = {FoldStep{{back}, 1.0}, SettleStep{0.2}};
+  recipe.steps = {FoldStep{{back}, {}, 1.0}, SettleStep{0.2}};
   return recipe;
 }
 
