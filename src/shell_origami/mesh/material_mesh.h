@@ -41,13 +41,13 @@ class MaterialMesh {
   Freedom freedom(int v) const;
   /// Whether the edge may be flipped: unlabelled, convex, and the paper nearly flat across it.
   bool mayFlip(Triangulation::Side side) const;
-  bool nearlyFlatAcross(Triangulation::Side side) const;
   /// Whether the paper is nearly flat around v, so that shifting v keeps its shape.
   bool nearlyFlatAround(int v) const;
   /// Smallest angle [rad] of the triangles around v, with v at p; negative if one turns over.
   double smallestAngle(int v, const Vector2& p) const;
 
  private:
+  bool nearlyFlatAcross(Triangulation::Side side) const;
   void touch(int v);
 
   Triangulation mesh_;

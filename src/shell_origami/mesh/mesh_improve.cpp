@@ -138,18 +138,7 @@ double meanEdge(const Triangulation& mesh) {
   return sum / static_cast<double>(mesh.triangles().size());
 }
 
-/// Whether edges of the triangle may be flipped after a split: splits alone do not enlarge its
-/// angles, and would go on and on.
-bool splitsHelp(const MaterialMesh& mesh, int triangle) {
-  for (int k = 0; k < 3; ++k) {
-    const Triangulation::Side side{triangle, k};
-    if (!isFixed(mesh.flat(), side) && !mesh.nearlyFlatAcross(side)) return false;
-  }
-  return true;
-}
-
-/// Splits edges until no triangle at the vertices, where the paper is flat, is a sliver that the
-/// creases do not force.
+/// Splits edges until no triangle at the vertices is a sliver that the creases do not force.
 void refineAround(MaterialMesh& mesh, const std::vector<int>& vertices) {
   const double finest = kFinest * meanEdge(mesh.flat());
   std::deque<int> queue(vertices.begin(), vertices.end());
@@ -157,7 +146,7 @@ void refineAround(MaterialMesh& mesh, const std::vector<int>& vertices) {
     const int v = queue.front();
     queue.pop_front();
     for (int t : mesh.flat().around(v)) {
-      if (!isSliver(mesh.flat(), t, kLeastAngle) || !splitsHelp(mesh, t)) continue;
+      if (!isSliver(mesh.flat(), t, kLeastAngle)) continue;
       const Triangulation::Side side = terminalEdge(mesh.flat(), t);
       const auto [a, b] = mesh.flat().ends(side);
       if ((mesh.point(a) - mesh.point(b)).norm() < 2 * finest) continue;
