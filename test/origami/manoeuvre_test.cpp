@@ -135,6 +135,19 @@ TEST(SquashFold, OpensAFlapToThePreliminaryBase) {
   EXPECT_LT(closingErrorAfter(plan, paper), 1e-7);
 }
 
+// Its two hinges lie on each other, so that either could open.
+TEST(SquashFold, OpensTheLayerThatTheFlapsPointIsOn) {
+  const Simulation paper = folded(twiceAcross());
+  for (const bool first : {true, false}) {
+    const SquashFold squash{
+        first ? at(0.9, 0.8) : at(0.8, 0.9), at(1, 1), {at(0.5, 0.5), at(1, 0)}};
+    const ManoeuvrePlan plan = planOf(squash, paper);
+    EXPECT_NEAR(std::abs(angleAt(plan, line(0.5, 0.5, 1, 0))), first ? 0 : 178, 1e-9);
+    EXPECT_NEAR(std::abs(angleAt(plan, line(0.5, 0.5, 0, 1))), first ? 178 : 0, 1e-9);
+    EXPECT_LT(closingErrorAfter(plan, paper), 1e-7);
+  }
+}
+
 /// A tip: the square folded along its diagonal, pointed at (1, 1), its spine.
 Creases tip() { return {{line(0, 0, 1, 1), -178}}; }
 

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace shell_origami {
@@ -166,21 +165,19 @@ class SquashPlanner {
     return *nearest;
   }
 
-  /// The way that brings the ridge onto the line.
+  /// The way that brings the ridge onto the line. Where both do, the layer opens that the flap's
+  /// point is on.
   Way chosenWay() const {
-    std::optional<Way> best;
-    double least = kSamePlace * sheet_.size();
-    for (int k = 0; k < 2; ++k) {
+    const Vector2 flap = flatPoint(squash_.flap, sheet_) - ridge_.line[0];
+    const bool first = (cross(ridge_.direction(), flap) > 0) == (turnTo(ridge_, hinges_[0]) > 0);
+    const int held = first ? 0 : 1;
+    for (const int k : {held, 1 - held}) {
       const Way way{hinges_[k], hinges_[1 - k]};
       const double half = std::abs(turnTo(ridge_, way.opening)) / 2;
       if (half >= std::abs(turnTo(ridge_, way.staying))) continue;
-      const double distance = distanceFromLine(landing(way, half));
-      if (distance >= least) continue;
-      best = way;
-      least = distance;
+      if (distanceFromLine(landing(way, half)) < kSamePlace * sheet_.size()) return way;
     }
-    if (!best) reject("the flap's fold does not come onto the line, to neither side");
-    return *best;
+    reject("the flap's fold does not come onto the line, to neither side");
   }
 
   /// Where the ridge's end comes to lie: its layer is folded along the new crease beside the hinge

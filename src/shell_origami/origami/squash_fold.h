@@ -11,7 +11,7 @@ namespace shell_origami {
 /// Opens a flap of two layers and lays it flat, so that the fold that joined them comes onto a
 /// line.
 struct SquashFold {
-  Landmark flap;                 ///< on one of its layers
+  Landmark flap;                 ///< on one of its layers: the one that opens, where either could
   Landmark bring;                ///< on the fold that joins them
   std::array<Landmark, 2> onto;  ///< two points of the line
 };
