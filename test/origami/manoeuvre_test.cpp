@@ -17,7 +17,6 @@
 namespace shell_origami {
 namespace {
 
-constexpr double kMiddle = kSide / 2;
 /// tan(22.5 degrees): where the bisector of the angle at a flap's tip meets its side.
 constexpr double kBisector = 0.41421356237309503;
 

@@ -34,7 +34,7 @@ ManoeuvrePlan planPetalFold(const PetalFold& petal, const ManoeuvreManner& manne
   const Sheet& sheet = simulation.sheet();
   const auto& flat = sheet.flatPositions();
   const int tip = outlineVertexAt(petal.flap, "the flap's tip", sheet);
-  const Vector2 w = flat[tip];
+  const Vector2& w = flat[tip];
   const FoldedCreases creases = foldedCreases(simulation);
   const std::array<int, 2> outer = creases.nextOnOutline(tip);
   if (outer[0] == tip || outer[0] == outer[1]) {
@@ -52,7 +52,7 @@ ManoeuvrePlan planPetalFold(const PetalFold& petal, const ManoeuvreManner& manne
   FoldPhase phase;
   Vector2 hinge[2];
   for (int k = 0; k < 2; ++k) {
-    const Vector2 b = flat[sides[k].outer];
+    const Vector2& b = flat[sides[k].outer];
     const Vector2 mirror = mirrored(w, {b, top});
     // Where the bisector of the flap's half at its tip meets its side.
     const double part = (w - b).norm() / ((w - b).norm() + (w - top).norm());
