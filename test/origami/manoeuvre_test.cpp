@@ -27,6 +27,16 @@ Segment line(double x, double y, double z, double w) {
   return {Vector2(x * kSide, y * kSide), Vector2(z * kSide, w * kSide)};
 }
 
+/// The angles that a paper's creases are asked for, those that are to be shut shut altogether.
+std::vector<double> exactAngles(const Simulation& paper) {
+  std::vector<double> angles;
+  for (const CreaseStatus& crease : paper.creases()) {
+    const double target = crease.target_angle;
+    angles.push_back(std::abs(target) > 3 ? std::copysign(M_PI, target) : target);
+  }
+  return angles;
+}
+
 /// A square with rigid panels whose creases have these angles.
 Simulation folded(const Creases& creases) {
   Simulation paper = square();
@@ -37,13 +47,9 @@ Simulation folded(const Creases& creases) {
     fold.duration = 0;
     paper.fold(fold);
   }
-  std::vector<double> angles, exact;
-  for (const CreaseStatus& crease : paper.creases()) {
-    angles.push_back(crease.target_angle);
-    exact.push_back(std::abs(crease.target_angle) > 3 ? std::copysign(M_PI, crease.target_angle)
-                                                      : crease.target_angle);
-  }
-  return Simulation(paper.sheet(), {}, foldRigidly(paper.sheet(), exact), angles);
+  std::vector<double> angles;
+  for (const CreaseStatus& crease : paper.creases()) angles.push_back(crease.target_angle);
+  return Simulation(paper.sheet(), {}, foldRigidly(paper.sheet(), exactAngles(paper)), angles);
 }
 
 /// The preliminary base, its cross valleys.
@@ -94,11 +100,7 @@ double closingErrorAfter(const ManoeuvrePlan& plan, const Simulation& before) {
     fold.duration = 0;
     paper.fold(fold);
   }
-  std::vector<double> angles;
-  for (const CreaseStatus& crease : paper.creases()) {
-    angles.push_back(std::abs(crease.target_angle) > 3 ? std::copysign(M_PI, crease.target_angle)
-                                                       : crease.target_angle);
-  }
+  const std::vector<double> angles = exactAngles(paper);
   double worst = 0;
   for (int v : innerCreaseVertices(paper.sheet())) {
     worst = std::max(worst, closingError(paper.sheet(), v, angles));

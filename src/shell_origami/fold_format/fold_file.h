@@ -27,7 +27,8 @@ struct FoldReadOptions {
   double width = 0;  ///< of the flat pattern along x [m], in the place of a scale; 0: by the scale
 };
 
-/// What a step of a folding sequence asks of each crease of its sheet [rad]; NaN: nothing.
+/// The angle to which a step of a folding sequence folds each crease of its sheet [rad]; NaN: it
+/// leaves the crease as it is.
 using FoldStage = std::vector<double>;
 
 /// A paper as a file describes it.

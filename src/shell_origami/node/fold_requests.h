@@ -1,5 +1,5 @@
 /// \file
-/// What requests say of folded paper: places on it, and folds through its layers.
+/// Reads places on folded paper, and folds through its layers, from requests.
 #pragma once
 
 #include <shell_origami/node/messages.h>

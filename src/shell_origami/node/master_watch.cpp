@@ -41,8 +41,8 @@ std::set<std::string> namesWithThisNode(XmlRpcValue& entries) {
   return names;
 }
 
-/// What a master says when a topic's publishers are others: the new one says it to nobody who was
-/// registered before.
+/// Tells this node, in the place of a new master, who publishes a topic: that master tells only
+/// those that register with it.
 void tellPublishers(const std::string& topic, const XmlRpcValue& publishers) {
   std::string host;
   std::uint32_t port = 0;

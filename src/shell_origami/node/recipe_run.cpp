@@ -51,15 +51,13 @@ nlohmann::json underWayJson(const StepUnderWay& under_way) {
   for (const FoldPhase& phase : under_way.phases) {
     phases.push_back({{"folds", foldsJson(phase.folds)}, {"rest", phase.rest}});
   }
-  return {{"phase_start", under_way.phase_start},
-          {"phase_length", under_way.phase_length},
+  return {{"phase_end", under_way.phase_end},
           {"phases", phases},
           {"result", foldsJson(under_way.result)}};
 }
 
 StepUnderWay underWayFrom(const nlohmann::json& json) {
-  StepUnderWay under_way{
-      json.at("phase_start"), json.at("phase_length"), {}, foldsFrom(json.at("result"))};
+  StepUnderWay under_way{json.at("phase_end"), {}, foldsFrom(json.at("result"))};
   for (const nlohmann::json& phase : json.at("phases")) {
     under_way.phases.push_back({foldsFrom(phase.at("folds")), phase.at("rest")});
   }

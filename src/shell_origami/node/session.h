@@ -89,8 +89,8 @@ class Session {
   /// \throws std::invalid_argument when these are more than are kept
   std::uint64_t undo(std::uint32_t count);
 
-  /// What was done to the paper since it was loaded, but for what was undone. Recipes note their
-  /// steps there.
+  /// Holds the steps that led from the loaded paper to this one, without those undone. Recipes
+  /// note theirs there.
   Journal& journal() { return *journal_; }
   const Journal& journal() const { return *journal_; }
 

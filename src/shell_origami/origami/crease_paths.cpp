@@ -12,14 +12,16 @@ namespace {
 /// A vertex is on a line that is nearer than this part of the sheet's size: lines end at what is
 /// near.
 constexpr double kOnLine = 1e-3;
-
-double turnAt(const Sheet& sheet, int from, int at, int to) {
-  const auto& flat = sheet.flatPositions();
-  const Vector2 in = flat[at] - flat[from], out = flat[to] - flat[at];
-  return std::abs(std::atan2(cross(in, out), in.dot(out)));
-}
+/// A line that turns by less at a vertex goes straight on [rad].
+constexpr double kStraight = 5 * M_PI / 180;
 
 }  // namespace
+
+bool goesStraight(const Sheet& sheet, int from, int at, int to) {
+  const auto& flat = sheet.flatPositions();
+  const Vector2 in = flat[at] - flat[from], out = flat[to] - flat[at];
+  return std::abs(std::atan2(cross(in, out), in.dot(out))) < kStraight;
+}
 
 FoldedCreases::FoldedCreases(const Sheet& sheet, std::vector<bool> folded)
     : sheet_(sheet), folded_(std::move(folded)) {}
@@ -50,7 +52,7 @@ std::vector<int> FoldedCreases::along(int from, int to) const {
     const std::vector<int> ends = at(path.back());
     if (ends.size() != 2) break;
     const int next = ends[0] == path[path.size() - 2] ? ends[1] : ends[0];
-    if (turnAt(sheet_, path[path.size() - 2], path.back(), next) > kStraight) break;
+    if (!goesStraight(sheet_, path[path.size() - 2], path.back(), next)) break;
     path.push_back(next);
   }
   return path;
@@ -76,14 +78,13 @@ std::array<int, 2> FoldedCreases::nextOnOutline(int vertex) const {
 }
 
 int creaseBetween(const Sheet& sheet, int a, int b) {
-  for (int t : sheet.triangulation().around(a)) {
-    for (int k = 0; k < 3; ++k) {
-      const Edge& edge = sheet.edges()[sheet.edgeIndex({t, k})];
-      const auto [v, w] = edge.vertices;
-      if ((v == a && w == b) || (v == b && w == a)) return edge.crease;
-    }
-  }
-  return -1;
+  const auto side = sheet.triangulation().findSide(a, b);
+  return side ? sheet.edges()[sheet.edgeIndex(*side)].crease : -1;
+}
+
+Segment lineOf(int crease, const Sheet& sheet) {
+  const std::vector<int>& path = sheet.creases()[crease].vertices;
+  return {sheet.flatPositions()[path.front()], sheet.flatPositions()[path.back()]};
 }
 
 std::vector<int> creasesAlong(const Sheet& sheet, const Segment& line) {

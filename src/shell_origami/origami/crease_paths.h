@@ -5,13 +5,13 @@
 #include <shell_origami/sheet/sheet.h>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace shell_origami {
 
-/// A line that turns by less at a vertex goes straight on [rad].
-constexpr double kStraight = 5 * M_PI / 180;
+/// Whether a way from one vertex to another and on to a third goes straight on, but for few
+/// degrees.
+bool goesStraight(const Sheet& sheet, int from, int at, int to);
 
 /// The creases of a sheet that are folded. Others, such as those drawn before, may cross them.
 class FoldedCreases {
@@ -19,6 +19,7 @@ class FoldedCreases {
   /// \param folded  of each crease
   FoldedCreases(const Sheet& sheet, std::vector<bool> folded);
 
+  bool has(int crease) const { return folded_[crease]; }
   /// Returns the other ends of the folded edges at a vertex, in the order around it.
   std::vector<int> at(int vertex) const;
   /// Goes along the folded edge from `from` to `to`, and straight on to where another one meets it,
@@ -36,6 +37,8 @@ class FoldedCreases {
 /// Returns the crease of the edge between two vertices, as an index into Sheet::creases(); -1:
 /// none.
 int creaseBetween(const Sheet& sheet, int a, int b);
+/// The ends of a crease on the flat sheet [m].
+Segment lineOf(int crease, const Sheet& sheet);
 /// Returns the creases that lie on a line, ascending.
 std::vector<int> creasesAlong(const Sheet& sheet, const Segment& line);
 

@@ -36,10 +36,7 @@ Neighbors alongBorder(const Sheet& sheet) {
 
 /// Whether a line goes straight on at a vertex.
 bool goesOn(const Sheet& sheet, int v, const std::vector<int>& neighbors) {
-  if (neighbors.size() != 2) return false;
-  const auto& flat = sheet.flatPositions();
-  const Vector2 in = flat[v] - flat[neighbors[0]], out = flat[neighbors[1]] - flat[v];
-  return std::abs(std::atan2(cross(in, out), in.dot(out))) < kStraight;
+  return neighbors.size() == 2 && goesStraight(sheet, neighbors[0], v, neighbors[1]);
 }
 
 struct Resolve {

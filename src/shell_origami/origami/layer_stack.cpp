@@ -20,19 +20,6 @@ constexpr double kSameDepth = 1e-6;
 /// Cosine of the angle to a triangle's normal below which a direction looks along the paper.
 constexpr double kAlong = 0.1;
 
-/// Where somebody sees a triangle at a point: the weights of its corners.
-std::optional<Vector3> weightsAt(const Vector3& point, const Vector3& viewer, const Triangle& t,
-                                 const Positions& x) {
-  const Vector3 a = x.col(t[0]), u = Vector3(x.col(t[1])) - a, v = Vector3(x.col(t[2])) - a;
-  const double whole = u.cross(v).dot(viewer);
-  if (whole == 0) return std::nullopt;
-  const double along_u = (point - a).cross(v).dot(viewer) / whole;
-  const double along_v = u.cross(point - a).dot(viewer) / whole;
-  const Vector3 weights(1 - along_u - along_v, along_u, along_v);
-  if (weights.minCoeff() < -kBeside) return std::nullopt;
-  return weights;
-}
-
 /// Leaves one of each panel's layers that were seen through several triangles.
 void mergeTriangles(std::vector<StackedLayer>& layers) {
   std::vector<StackedLayer> kept;
@@ -57,8 +44,8 @@ std::vector<StackedLayer> layersAt(const Landmark& point, const Viewpoint& view,
   std::vector<StackedLayer> layers;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Triangle& t = sheet.triangles()[i];
-    const std::optional<Vector3> weights = weightsAt(place, paper.viewer, t, paper.positions);
-    if (!weights) continue;
+    const std::optional<Vector3> weights = weightsSeen(place, t, paper);
+    if (!weights || weights->minCoeff() < -kBeside) continue;
     StackedLayer layer{panels[i], Vector2::Zero(), 0};
     for (int k = 0; k < 3; ++k) {
       layer.flat += (*weights)[k] * sheet.flatPositions()[t[k]];

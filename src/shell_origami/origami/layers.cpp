@@ -85,15 +85,10 @@ std::vector<LayersBesidePlane::Hit> LayersBesidePlane::hitsAt(const Vector3& poi
   for (std::size_t i = 0; i < flaps_.size(); ++i) {
     if (!boxes_[i].contains(place)) continue;
     const Triangle& t = sheet_.triangles()[i];
-    const Positions& x = paper_.positions;
-    const Vector3 a = x.col(t[0]), u = Vector3(x.col(t[1])) - a, v = Vector3(x.col(t[2])) - a;
-    const double whole = u.cross(v).dot(paper_.viewer);
-    if (whole == 0) continue;
-    const double along_u = (point - a).cross(v).dot(paper_.viewer) / whole;
-    const double along_v = u.cross(point - a).dot(paper_.viewer) / whole;
-    if (along_u < 0 || along_v < 0 || along_u + along_v > 1) continue;
-    const double height = (1 - along_u - along_v) * paper_.heights[t[0]] +
-                          along_u * paper_.heights[t[1]] + along_v * paper_.heights[t[2]];
+    const std::optional<Vector3> weights = weightsSeen(point, t, paper_);
+    if (!weights || weights->minCoeff() < 0) continue;
+    double height = 0;
+    for (int k = 0; k < 3; ++k) height += (*weights)[k] * paper_.heights[t[k]];
     hits.push_back({height, static_cast<int>(i)});
   }
   std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {

@@ -51,15 +51,6 @@ class ThoughtPaper {
   Simulation paper_;
 };
 
-std::vector<FoldEdit> foldsOf(const StepBeginning& beginning) {
-  if (!beginning.under_way.result.empty()) return beginning.under_way.result;
-  std::vector<FoldEdit> folds;
-  for (const Edit& edit : beginning.edits) {
-    if (const auto* fold = std::get_if<FoldEdit>(&edit)) folds.push_back(*fold);
-  }
-  return folds;
-}
-
 void requireNoOrder(const RecipeStep& step) {
   const auto* fold = std::get_if<FoldThroughStep>(&step);
   if (fold && fold->fold.layers == FoldLayers::kTop) {
@@ -79,7 +70,7 @@ std::vector<FoldEdit> precreasesOf(const Recipe& recipe) {
       requireNoOrder(step);
       const StepBeginning beginning = beginningOf(step, place, thought.paper());
       const std::vector<FoldEdit> folds = foldsOf(beginning);
-      std::vector<FoldEdit> unfolding = unfoldingOf(beginning, thought.paper());
+      std::vector<FoldEdit> unfolding = unfoldingOf(folds, thought.paper());
       if (!unfolding.empty()) place.unfolding = std::move(unfolding);
       place.view = beginning.view;
       for (const FoldEdit& fold : folds) {

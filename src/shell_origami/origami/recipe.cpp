@@ -3,7 +3,6 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/mesh/mesh_refine.h>
 #include <shell_origami/mesh/triangulate.h>
-#include <shell_origami/origami/layer_stack.h>
 #include <shell_origami/origami/precreases.h>
 #include <shell_origami/origami/step_beginning.h>
 
@@ -156,13 +155,13 @@ void RecipeRunner::drawLines(const Simulation& simulation, const Apply& apply,
 
 bool RecipeRunner::begin(const RecipeStep& step, const Simulation& simulation, const Apply& apply) {
   StepBeginning beginning = beginningOf(step, place_, simulation);
-  std::vector<FoldEdit> unfolding = unfoldingOf(beginning, simulation);
+  std::vector<FoldEdit> unfolding = unfoldingOf(foldsOf(beginning), simulation);
   const bool made = beginning.edits.empty() || apply(beginning.edits);
   if (!unfolding.empty()) place_.unfolding = std::move(unfolding);
   place_.started = true;
   place_.view = beginning.view;
   place_.under_way = std::move(beginning.under_way);
-  place_.start_time = place_.under_way.phase_start = simulation.time();
+  place_.start_time = simulation.time();
   return made;
 }
 
@@ -170,8 +169,7 @@ void RecipeRunner::beginPhase(const Simulation& simulation, const Apply& apply) 
   StepUnderWay& under_way = place_.under_way;
   const FoldPhase phase = std::move(under_way.phases.front());
   under_way.phases.erase(under_way.phases.begin());
-  under_way.phase_length = lengthOf(phase);
-  under_way.phase_start = simulation.time();
+  under_way.phase_end = simulation.time() + lengthOf(phase);
   apply({phase.folds.begin(), phase.folds.end()});
 }
 
@@ -194,8 +192,7 @@ void RecipeRunner::noteResult(const Simulation& simulation) {
 /// Whether the step under way, or its phase, is over.
 bool RecipeRunner::over(const Simulation& simulation) {
   const bool last_phase = place_.under_way.phases.empty();
-  const Over over{simulation, simulation.time() - place_.start_time,
-                  place_.under_way.phase_start + place_.under_way.phase_length};
+  const Over over{simulation, simulation.time() - place_.start_time, place_.under_way.phase_end};
   const auto lasts = recipe_.lasts.find(place_.step);
   if (lasts != recipe_.lasts.end() && last_phase) {
     return over.after(lasts->second);

@@ -136,8 +136,7 @@ Recipe readRecipe(const RecipeText& source, const SimulationConfig& defaults = {
 
 /// Of a step in phases, what is still to come.
 struct StepUnderWay {
-  double phase_start = 0;         ///< of the phase under way [s]
-  double phase_length = 0;        ///< of the phase under way, at most [s]
+  double phase_end = 0;           ///< of the phase under way, at the latest [s]
   std::vector<FoldPhase> phases;  ///< after it
   std::vector<FoldEdit> result;   ///< the step's creases, as they are to be at its end
 };

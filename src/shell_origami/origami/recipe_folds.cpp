@@ -34,16 +34,6 @@ bool readWay(const RecipeReader& reader, const YAML::Node& node) {
   return way == "behind";
 }
 
-std::string readName(const RecipeReader& reader, const YAML::Node& node) {
-  const std::string name = reader.text(node, "name");
-  try {
-    checkCreaseName(name);
-  } catch (const std::invalid_argument& error) {
-    reader.refuseAt(node, error.what());
-  }
-  return name;
-}
-
 /// The point of a flap, which a manoeuvre cannot do without.
 class FlapReader {
  public:
@@ -66,6 +56,16 @@ class FlapReader {
 
 }  // namespace
 
+std::string readCreaseName(const RecipeReader& reader, const YAML::Node& node) {
+  const std::string name = reader.text(node, "name");
+  try {
+    checkCreaseName(name);
+  } catch (const std::invalid_argument& error) {
+    reader.refuseAt(node, error.what());
+  }
+  return name;
+}
+
 FoldThrough readFoldThrough(const RecipeReader& reader, const YAML::Node& node,
                             const LandmarkNames& names) {
   FoldThrough fold;
@@ -78,7 +78,7 @@ FoldThrough readFoldThrough(const RecipeReader& reader, const YAML::Node& node,
   };
   handlers["way"] = [&](const YAML::Node& value) { fold.behind = readWay(reader, value); };
   handlers["angle_deg"] = [&](const YAML::Node& value) { fold.angle = readAngle(reader, value); };
-  handlers["name"] = [&](const YAML::Node& value) { fold.name = readName(reader, value); };
+  handlers["name"] = [&](const YAML::Node& value) { fold.name = readCreaseName(reader, value); };
   reader.readMap(node, "fold_through", handlers);
   if (node["flap"].IsDefined() && node["layers"].IsDefined()) {
     reader.refuseAt(node, "fold_through takes one of layers and flap, not both");

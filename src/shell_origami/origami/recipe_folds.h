@@ -9,6 +9,8 @@ namespace shell_origami {
 
 // Each throws std::invalid_argument with one sentence naming file, line and offending value.
 
+/// Reads the name of a new crease.
+std::string readCreaseName(const RecipeReader& reader, const YAML::Node& node);
 /// Reads the entry of a step `fold_through`.
 FoldThrough readFoldThrough(const RecipeReader& reader, const YAML::Node& node,
                             const LandmarkNames& names);

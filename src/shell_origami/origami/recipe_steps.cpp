@@ -61,14 +61,7 @@ void readFoldEntry(const RecipeReader& reader, const YAML::Node& node, const Lan
         }},
        {"stiffness",
         [&](const YAML::Node& value) { fold.stiffness = reader.number(value, "stiffness"); }},
-       {"name", [&](const YAML::Node& value) {
-          fold.name = reader.text(value, "name");
-          try {
-            checkCreaseName(fold.name);
-          } catch (const std::invalid_argument& error) {
-            reader.refuseAt(value, error.what());
-          }
-        }}});
+       {"name", [&](const YAML::Node& value) { fold.name = readCreaseName(reader, value); }}});
   if (!has_place) reader.refuseAt(node, "a fold needs a line or a crease");
   if (angles != 1) reader.refuseAt(node, "a fold needs either angle_deg or part");
   step.folds.push_back(std::move(fold));

@@ -57,7 +57,7 @@ class ReversePlanner {
     for (const LayerCut& cut : cuts) {
       const int half = halfOf(cut.panel);
       if (half < 0) reject("a layer that the fold cuts is of neither half of the flap");
-      const double angle = angleOf(cut, turn(cut.triangle, at_bend[half]), creases);
+      const double angle = angleOf(cut, turn(cut.triangle, at_bend[half], before), creases);
       halfway.push_back(fold(cut.line, angle / 2, kHalfway, kTurning));
       on.push_back(fold(cut.line, angle, kOn, kShutting));
     }
@@ -168,8 +168,7 @@ class ReversePlanner {
   /// The angle of a crease through a triangle's layer. Where the halves meet at the bend, the
   /// sides' creases go to the side of the body's spine, inside, or to the other one; from there on
   /// they alternate from layer to layer. (Of four creases at a flat vertex three go to one side.)
-  double turn(int triangle, int at_bend) const {
-    const double spine = shutAngle(spine_.crease, simulation_);
+  double turn(int triangle, int at_bend, double spine) const {
     const bool alike = layers_.facing(triangle) * layers_.facing(at_bend) > 0;
     return std::copysign(manner_.angle, alike == reverse_.inside ? spine : -spine);
   }

@@ -23,8 +23,6 @@ constexpr double kRestAfterSquash = 0.1;
 constexpr double kBesideHinge = 0.05;
 /// What is nearer than this part of the sheet's size is at one place.
 constexpr double kSamePlace = 0.008;
-/// A crease with a smaller angle is flat: other creases may cross it [rad].
-constexpr double kFlatBelow = 0.1;
 
 /// A crease that leaves the flap's inner corner.
 struct Ray {
@@ -142,15 +140,11 @@ class SquashPlanner {
            ") is on neither of the layers that the fold to be brought joins");
   }
 
-  bool isFlat(int crease) const {
-    return std::abs(simulation_.creases()[crease].angle) < kFlatBelow;
-  }
-
   const Edge& nearestCreaseEdge(const Vector2& point) const {
     const Edge* nearest = nullptr;
     double least = kSamePlace * sheet_.size();
     for (const Edge& edge : sheet_.edges()) {
-      if (edge.crease < 0 || isFlat(edge.crease)) continue;
+      if (edge.crease < 0 || !folded_.has(edge.crease)) continue;
       const Vector2& a = sheet_.flatPositions()[edge.vertices[0]];
       const Vector2 along = sheet_.flatPositions()[edge.vertices[1]] - a;
       const double part = std::clamp(along.dot(point - a) / along.squaredNorm(), 0.0, 1.0);
@@ -225,7 +219,7 @@ class SquashPlanner {
     double least = std::numeric_limits<double>::infinity();
     const Edge* end = nullptr;
     for (const Edge& edge : sheet_.edges()) {
-      if (!edge.onBorder() && (edge.crease < 0 || isFlat(edge.crease))) continue;
+      if (!edge.onBorder() && (edge.crease < 0 || !folded_.has(edge.crease))) continue;
       const Vector2& a = sheet_.flatPositions()[edge.vertices[0]];
       const Vector2& b = sheet_.flatPositions()[edge.vertices[1]];
       const double from = cross(direction, a - corner), to = cross(direction, b - corner);

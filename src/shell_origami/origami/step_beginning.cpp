@@ -68,7 +68,7 @@ struct Begin {
     plan.phases.erase(plan.phases.begin());
     return {{first.folds.begin(), first.folds.end()},
             plan.after,
-            {simulation.time(), lengthOf(first), std::move(plan.phases), std::move(plan.result)}};
+            {simulation.time() + lengthOf(first), std::move(plan.phases), std::move(plan.result)}};
   }
   StepBeginning operator()(const UnfoldStep& step) const {
     if (place.unfolding.empty()) reject("unfold: no step before it has folded the paper");
@@ -82,9 +82,7 @@ struct Begin {
   StepBeginning operator()(const LoosenStep& step) const {
     std::vector<Edit> edits;
     const auto add = [&](int crease) {
-      const std::vector<int>& path = simulation.sheet().creases()[crease].vertices;
-      const auto& flat = simulation.sheet().flatPositions();
-      FoldEdit fold = lineFold({flat[path.front()], flat[path.back()]},
+      FoldEdit fold = lineFold(lineOf(crease, simulation.sheet()),
                                simulation.creases()[crease].target_angle, 0);
       fold.stiffness = step.stiffness;
       edits.emplace_back(std::move(fold));
@@ -117,16 +115,21 @@ StepBeginning beginningOf(const RecipeStep& step, const RecipePlace& place,
                     step);
 }
 
-std::vector<FoldEdit> unfoldingOf(const StepBeginning& beginning, const Simulation& simulation) {
-  std::vector<FoldEdit> folds = beginning.under_way.result;
+std::vector<FoldEdit> foldsOf(const StepBeginning& beginning) {
+  if (!beginning.under_way.result.empty()) return beginning.under_way.result;
+  std::vector<FoldEdit> folds;
   for (const Edit& edit : beginning.edits) {
-    const auto* fold = std::get_if<FoldEdit>(&edit);
-    if (fold && beginning.under_way.result.empty()) folds.push_back(*fold);
+    if (const auto* fold = std::get_if<FoldEdit>(&edit)) folds.push_back(*fold);
   }
+  return folds;
+}
+
+std::vector<FoldEdit> unfoldingOf(const std::vector<FoldEdit>& folds,
+                                  const Simulation& simulation) {
+  if (folds.empty()) return {};
   const std::vector<CreaseStatus> creases = simulation.creases();
-  const auto& flat = simulation.sheet().flatPositions();
   std::vector<FoldEdit> unfolding, pieces;
-  for (FoldEdit& fold : folds) {
+  for (FoldEdit fold : folds) {
     fold.stiffness.reset();
     fold.name.clear();
     if (const auto* named = std::get_if<CreaseName>(&fold.where)) {
@@ -141,9 +144,8 @@ std::vector<FoldEdit> unfoldingOf(const StepBeginning& beginning, const Simulati
     const auto* line = std::get_if<Segment>(&fold.where);
     if (!line) continue;
     for (int crease : creasesAlong(simulation.sheet(), *line)) {
-      const std::vector<int>& path = simulation.sheet().creases()[crease].vertices;
       FoldEdit piece = fold;
-      piece.where = Segment{flat[path.front()], flat[path.back()]};
+      piece.where = lineOf(crease, simulation.sheet());
       piece.angle = creases[crease].target_angle;
       pieces.push_back(std::move(piece));
     }

@@ -19,8 +19,11 @@ struct StepBeginning {
 StepBeginning beginningOf(const RecipeStep& step, const RecipePlace& place,
                           const Simulation& simulation);
 
+/// Returns the folds of a step, of a manoeuvre those of its result.
+std::vector<FoldEdit> foldsOf(const StepBeginning& beginning);
+
 /// Returns the folds that bring the creases of these ones back to where they are asked to be now;
 /// new ones become flat. \pre the folds of lines come before the lines' pieces
-std::vector<FoldEdit> unfoldingOf(const StepBeginning& beginning, const Simulation& simulation);
+std::vector<FoldEdit> unfoldingOf(const std::vector<FoldEdit>& folds, const Simulation& simulation);
 
 }  // namespace shell_origami

@@ -97,6 +97,17 @@ Viewpoint viewAt(const Vector2& point, const Sheet& sheet, const ViewedPaper& pa
   return {point, normal.dot(paper.viewer) > 0};
 }
 
+std::optional<Vector3> weightsSeen(const Vector3& point, const Triangle& t,
+                                   const ViewedPaper& paper) {
+  const Positions& x = paper.positions;
+  const Vector3 a = x.col(t[0]), u = Vector3(x.col(t[1])) - a, v = Vector3(x.col(t[2])) - a;
+  const double whole = u.cross(v).dot(paper.viewer);
+  if (whole == 0) return std::nullopt;
+  const double along_u = (point - a).cross(v).dot(paper.viewer) / whole;
+  const double along_v = u.cross(point - a).dot(paper.viewer) / whole;
+  return Vector3(1 - along_u - along_v, along_u, along_v);
+}
+
 Vector3 areaNormal(const Triangle& t, const Positions& x) {
   return Vector3(x.col(t[1]) - x.col(t[0])).cross(Vector3(x.col(t[2]) - x.col(t[0])));
 }

@@ -4,6 +4,8 @@
 
 #include <shell_origami/origami/simulation.h>
 
+#include <optional>
+
 namespace shell_origami {
 
 /// Cosine of the angle between a layer's normal and the stack's beyond which it stands on edge.
@@ -34,6 +36,11 @@ ViewedPaper viewedPaper(const Viewpoint& view, const Simulation& simulation);
 /// Returns the same view, looked at from another point of the flat sheet.
 /// \pre it is on the paper
 Viewpoint viewAt(const Vector2& point, const Sheet& sheet, const ViewedPaper& paper);
+
+/// Where the viewer sees a point on a triangle: the weights of its corners, not all positive where
+/// it is beside. None: the triangle is seen from its edge.
+std::optional<Vector3> weightsSeen(const Vector3& point, const Triangle& triangle,
+                                   const ViewedPaper& paper);
 
 /// The normal of a triangle in space, twice its area long.
 Vector3 areaNormal(const Triangle& triangle, const Positions& positions);

@@ -187,7 +187,7 @@ msg::Edit editMessage(const EditRecord& record) {
   const Kind& kind = kinds()[record.edit.index()];
   message.kind = kind.name;
   kind.write(record.edit, message);
-  // What a fold or a new vertex made, for those who read.
+  // Readers also get the vertices that a fold or a new vertex has made.
   const bool makes = std::holds_alternative<FoldEdit>(record.edit) ||
                      std::holds_alternative<AddVertexEdit>(record.edit);
   if (makes) {
