@@ -103,13 +103,68 @@ def fold_through(fold, places):
         caption = "Fold %s%s along the line from %s to %s." % (
             call(fold["move"]), away or " over", *map(call, fold["through"]))
         moves = fold["move"]
+    return Words(caption + layer_words(fold, call) + angle_words([fold.get("angle_deg", 178)]),
+                 places.flat(moves))
+
+
+def layer_words(fold, call):
     layers = fold.get("layers", "all")
     if "flap" in fold:
-        caption += " Take only the flap at %s." % call(fold["flap"])
-    elif layers != "all":
-        count = layers["top"]
-        caption += " Take only the top layer." if count == 1 else " Take the top %s layers." % number(count)
-    return Words(caption + angle_words([fold.get("angle_deg", 178)]), places.flat(moves))
+        return " Take only the flap at %s." % call(fold["flap"])
+    if layers == "all":
+        return ""
+    count = layers["top"]
+    return " Take only the top layer." if count == 1 else " Take the top %s layers." % number(count)
+
+
+def fold_line(fold, places):
+    """Where the line of a fold is, told by one of the axioms."""
+    call = places.call
+    if "bring" in fold:
+        return "the line that brings %s to %s" % (call(fold["bring"]), call(fold["to"]))
+    if "edge" in fold:
+        return "the line that brings the edge from %s to %s onto that from %s to %s" % (
+            *map(call, fold["edge"]), *map(call, fold["to_edge"]))
+    if "across" in fold:
+        return "the line through %s, at a right angle to the edge from %s to %s" % (
+            call(fold["at"]), *map(call, fold["across"]))
+    return "the line from %s to %s" % tuple(map(call, fold["through"]))
+
+
+def petal(entry, places):
+    return Words("Petal fold: lift the tip at %s, and bring the edges beside it together."
+                 % places.call(entry["flap"]), places.flat(entry["flap"]))
+
+
+def squash(entry, places):
+    call = places.call
+    return Words("Squash fold: raise the flap at %s, open it, and flatten it so that %s comes onto the line "
+                 "from %s to %s." % (call(entry["flap"]), call(entry["bring"]), *map(call, entry["to"])),
+                 places.flat(entry["bring"]))
+
+
+def reverse(entry, places):
+    kind, way = ("Inside", "into") if entry.get("inside", True) else ("Outside", "around")
+    return Words("%s reverse fold: turn the tip at %s inside out, %s the paper, along %s."
+                 % (kind, places.call(entry["flap"]), way, fold_line(entry, places)),
+                 places.flat(entry["flap"]))
+
+
+def pleat(entry, places):
+    away = " behind" if entry.get("way") == "behind" else ""
+    return Words("Pleat: fold%s along %s, and back along the line from %s to %s.%s"
+                 % (away, fold_line(entry, places), *map(places.call, entry["back"]),
+                    layer_words(entry, places.call)))
+
+
+def rabbit_ear(entry, places):
+    call, (near, far) = places.call, entry["base"]
+    return Words("Rabbit ear: bring both edges at %s onto the line from %s to %s; the tip comes to point to %s."
+                 % (call(entry["flap"]), call(near), call(far), call(far)), places.flat(entry["flap"]))
+
+
+def unfold(*_):
+    return Words("Unfold the last step.")
 
 
 def angle_words(angles):
@@ -150,7 +205,8 @@ def other_step(word, entry, places):
 class Recipe:
     """A recipe's file as the diagram reads it."""
 
-    WORDS = {"fold_through": fold_through, "fold": fold}
+    WORDS = {"fold_through": fold_through, "fold": fold, "petal": petal, "squash": squash, "reverse": reverse,
+             "pleat": pleat, "rabbit_ear": rabbit_ear, "unfold": unfold}
 
     def __init__(self, path, corners):
         with open(path, encoding="utf-8") as file:

@@ -2,12 +2,17 @@
 """~undo makes the paper again as it was before its last edits, and it goes on as it would have."""
 
 import os
+import random
 import shutil
 import tempfile
 
+from actionlib_msgs.msg import GoalStatus
 import dynamic_reconfigure.client
+from geometry_msgs.msg import Point
 import rospy
 import rostest
+
+from shell_origami.msg import Landmark
 
 from moving_frame import MovingFrame
 from origami_client import NodeTest, distance, line, wait_until
@@ -23,6 +28,15 @@ steps:
   - settle: {timeout: 0.5}
   - fold: [{crease: a, angle_deg: 20}]
     duration: 0.3
+'''
+# Nothing can turn the tip inside out: it is held.
+HELD = '''sheet: {size: [0.1, 0.1], max_edge: 0.02}
+contact: {enabled: false}
+steps:
+  - fold: [{line: [[0, 0], [0.1, 0.1]], angle_deg: -178}]
+  - pin: {points: [[0.1, 0.1], [0.08, 0.1], [0.1, 0.08], [0.02, 0], [0, 0.02]]}
+  - reverse: {flap: [0.1, 0.1], through: [[0.06, 0.06], [0.1, 0.08]]}
+    duration: 1
 '''
 
 
@@ -108,6 +122,47 @@ class UndoTest(NodeTest):
             self.origami.do('undo')
             self.assertSamePaper(self.origami.state(), papers[number])
 
+    def random_edit(self, r):
+        """Makes an edit that the paper takes, and lets some time pass after it."""
+        def place():
+            return Point(r.uniform(0, SIDE), r.uniform(0, SIDE), 0)
+
+        while True:
+            kind = r.choice(['fold', 'fold', 'fold_through', 'pin', 'unpin', 'add_vertex', 'settle'])
+            fields = {}
+            if kind == 'fold':
+                fields = dict(line=[place(), place()], angle=r.uniform(-1, 1), duration=0.2)
+            elif kind == 'fold_through':
+                fields = dict(axiom='bring', points=[Landmark(flat=place()) for _ in range(2)],
+                              angle=r.uniform(0.1, 1), duration=0.2)
+            elif kind == 'pin':
+                fields = dict(points=[place()])
+            elif kind == 'add_vertex':
+                corners = r.choice(self.origami.sheet().triangles).vertex_indices
+                fields = dict(edge=list(corners[:2]), fraction=0.5)
+            if self.origami.call(kind, **fields).success:
+                break
+        self.origami.do('step', steps=r.randrange(1, 4))
+        return kind
+
+    def test_fifty_random_edits_one_by_one(self):
+        r = random.Random(7)
+        with open(self.path('coarse'), 'w') as recipe:  # 50 of its papers find room
+            recipe.write('sheet: {size: [0.15, 0.15], max_edge: 0.15}\nsteps: []\n')
+        self.origami.do('load', path=self.path('coarse'))
+        papers, kinds = [], []
+        for _ in range(50):
+            papers.append((self.origami.sheet(), self.origami.state()))
+            kinds.append(self.random_edit(r))
+        self.assertEqual(len(set(kinds)), 6, kinds)
+        for number in reversed(range(50)):
+            self.origami.do('undo')
+            sheet, state = papers[number]
+            self.assertSamePaper(self.origami.state(), state)
+            now = self.origami.sheet()
+            self.assertEqual(now.flat_positions, sheet.flat_positions, kinds[number])
+            self.assertEqual(now.triangles, sheet.triangles, kinds[number])
+
     def test_settle_load_and_reset_are_undone(self):
         self.fold(0.05, 1.0)
         self.origami.do('step', steps=7)
@@ -133,12 +188,12 @@ class UndoTest(NodeTest):
         after = self.origami.state()
         self.assertEqual(after.edits, before.edits)
         self.assertSamePaper(after, before)
-        # Memory is bounded: in 1 MB not all of these papers find room, but many do.
-        for _ in range(100):
+        # Memory is bounded: in 4 MB not all of these papers find room, but many do.
+        for _ in range(400):
             self.origami.do('pin', vertices=[0])
-        self.refused('only the last', edits=101)
-        self.origami.do('undo', edits=20)
-        for _ in range(200):
+        self.refused('only the last', edits=401)
+        self.origami.do('undo', edits=80)
+        for _ in range(800):
             answer = self.origami.call('undo')
             if not answer.success:
                 break
@@ -180,6 +235,21 @@ class UndoTest(NodeTest):
         self.assertEqual(len(state.creases), len(expected.creases))
         for p, q in zip(state.positions, expected.positions):
             self.assertLess(distance(p, q), 1e-6)
+
+    def test_a_manoeuvre_that_fails_is_taken_back(self):
+        goal = Goal(self.goals, yaml=HELD)
+        status, text = goal.wait(60)
+        self.assertEqual(status, GoalStatus.ABORTED)
+        for words in ('step 3, reverse, failed', 'as it was before'):
+            self.assertIn(words, text)
+        state = self.origami.state()
+        self.assertEqual(len(state.creases), 1)  # none of the tip's
+        self.assertEqual(len(state.pinned), 5)
+        pinned = self.origami.edits.wait(lambda edit: edit.kind == 'pin' and len(edit.vertices) == 5)
+        undone = [e for e in self.origami.edits.all() if e.number > pinned.number and e.kind == 'undo']
+        self.assertEqual(len(undone), 2)  # it was tried again
+        self.origami.do('undo')
+        self.assertEqual(list(self.origami.state().pinned), [])
 
     def test_a_recipe_whose_paper_is_undone_is_abandoned(self):
         self.fold(0.05, 1.0)

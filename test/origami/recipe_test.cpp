@@ -142,21 +142,21 @@ TEST_F(RecipeTest, ReadsFoldsThroughLayers) {
   ASSERT_EQ(recipe.steps.size(), 5u);
   const Sheet sheet = makeSimulation(recipe.sheet, recipe.config).sheet();
   const auto& first = std::get<FoldThroughStep>(recipe.steps[0]);
-  EXPECT_NEAR(first.fold.angle, 178 * M_PI / 180, 1e-15);
-  EXPECT_EQ(first.fold.layers, FoldLayers::kAll);
-  const auto& bring = std::get<BringPoint>(first.fold.axiom);
+  EXPECT_NEAR(first.fold->angle, 178 * M_PI / 180, 1e-15);
+  EXPECT_EQ(first.fold->layers, FoldLayers::kAll);
+  const auto& bring = std::get<BringPoint>(first.fold->axiom);
   EXPECT_EQ(flatPoint(bring.from, sheet), Vector2(0, 0));
   EXPECT_LT((flatPoint(bring.to, sheet) - Vector2(0.05, 0.05)).norm(), 1e-15);
   EXPECT_TRUE(std::holds_alternative<TurnOverStep>(recipe.steps[1]));
   const auto& edges = std::get<FoldThroughStep>(recipe.steps[2]);
-  EXPECT_TRUE(std::holds_alternative<BringEdge>(edges.fold.axiom));
-  EXPECT_EQ(edges.fold.layers, FoldLayers::kTop);
-  EXPECT_EQ(edges.fold.count, 2);
-  EXPECT_TRUE(edges.fold.behind);
+  EXPECT_TRUE(std::holds_alternative<BringEdge>(edges.fold->axiom));
+  EXPECT_EQ(edges.fold->layers, FoldLayers::kTop);
+  EXPECT_EQ(edges.fold->count, 2);
+  EXPECT_TRUE(edges.fold->behind);
   EXPECT_EQ(edges.duration, 3);
   const auto& along = std::get<FoldThroughStep>(recipe.steps[4]);
-  EXPECT_EQ(along.fold.layers, FoldLayers::kFlap);
-  const Landmark meeting = std::get<FoldAlong>(along.fold.axiom).points[1];
+  EXPECT_EQ(along.fold->layers, FoldLayers::kFlap);
+  const Landmark meeting = std::get<FoldAlong>(along.fold->axiom).points[1];
   EXPECT_LT((flatPoint(meeting, sheet) - Vector2(0.05, 0.05)).norm(), 1e-15);
 }
 

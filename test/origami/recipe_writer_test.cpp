@@ -120,8 +120,9 @@ TEST(RecipeWriter, NamesOfOtherPlacesAreNotUsed) {
   const Landmark old_tip{Vector2(0, 0), "tip"};
   origin.names["center"] = {PartOfWay{{old_tip, {Vector2(0.1, 0.1)}}, 0.5}};
   origin.names["tip"] = {PartOfWay{{{origin.names["center"].place, "center"}, old_tip}, 0.5}};
-  FoldThroughStep step;
-  step.fold.axiom = BringPoint{old_tip, {origin.names["center"].place, "center"}};
+  FoldThrough fold;
+  fold.axiom = BringPoint{old_tip, {origin.names["center"].place, "center"}};
+  const FoldThroughStep step{std::make_shared<FoldThrough>(fold)};
   const std::string text = recipeText(origin, {{step}});
   EXPECT_NE(text.find("bring: [0, 0], to: center"), std::string::npos) << text;
   const Recipe again = readRecipe({"yaml", "", text});

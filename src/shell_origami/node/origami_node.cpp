@@ -183,6 +183,8 @@ bool OrigamiNode::continueRecipe() {
   try {
     const auto make = [this](const std::vector<Edit>& edits) { return applyOfRecipe(edits); };
     goes_on = run_.recipe->update(run_.session.simulation(), make, &run_.session.journal());
+  } catch (const StepFailed& failed) {
+    failure = takeStepBack(failed);
   } catch (const std::exception& error) {
     failure = error.what();
   }
@@ -197,6 +199,16 @@ bool OrigamiNode::continueRecipe() {
     if (config_.clock == ClockMode::kLead && config_.real_time_factor == 0) halt();
   }
   return true;
+}
+
+/// Returns why the recipe ends; nothing where its step is tried again.
+std::optional<std::string> OrigamiNode::takeStepBack(const StepFailed& failed) {
+  const std::optional<std::uint64_t> first = run_.recipe->firstEdit();
+  if (!first || !run_.session.undoFrom(*first)) {
+    return failed.what() + std::string("; the paper before it is not remembered");
+  }
+  if (run_.recipe->tryAgain(failed)) return std::nullopt;
+  return failed.what() + std::string("; the paper is as it was before");
 }
 
 /// None is under way any more by the time the listener hears of it.

@@ -106,6 +106,7 @@ class OrigamiNode : private SessionListener {
   void continueSettling();
   void finishLoading();
   bool continueRecipe();
+  std::optional<std::string> takeStepBack(const StepFailed& failed);
   void endRecipe(const std::string& why = "");
   void startWatched();
   void stop(const std::string& reason);

@@ -1,5 +1,6 @@
 #include <shell_origami/node/recipe_run.h>
 
+#include <shell_origami/origami/fold_phase.h>
 #include <shell_origami/origami/outcome.h>
 #include <shell_origami/origami/report.h>
 
@@ -12,16 +13,14 @@
 namespace shell_origami {
 namespace {
 
-/// Of folds along lines, as manoeuvres make them.
+/// Of folds along lines, as manoeuvres and unfolding make them.
 nlohmann::json foldsJson(const std::vector<FoldEdit>& folds) {
   nlohmann::json json = nlohmann::json::array();
   for (const FoldEdit& fold : folds) {
-    nlohmann::json entry{{"angle", fold.angle}, {"duration", fold.duration.value_or(0)}};
-    if (const auto* line = std::get_if<Segment>(&fold.where)) {
-      entry["line"] = {(*line)[0].x(), (*line)[0].y(), (*line)[1].x(), (*line)[1].y()};
-    } else {
-      entry["crease"] = std::get<CreaseName>(fold.where).name;
-    }
+    const Segment& line = std::get<Segment>(fold.where);
+    nlohmann::json entry{{"line", {line[0].x(), line[0].y(), line[1].x(), line[1].y()}},
+                         {"angle", fold.angle},
+                         {"duration", fold.duration.value_or(0)}};
     if (fold.stiffness) entry["stiffness"] = *fold.stiffness;
     json.push_back(entry);
   }
@@ -31,17 +30,10 @@ nlohmann::json foldsJson(const std::vector<FoldEdit>& folds) {
 std::vector<FoldEdit> foldsFrom(const nlohmann::json& json) {
   std::vector<FoldEdit> folds;
   for (const nlohmann::json& entry : json) {
-    FoldEdit fold;
-    fold.angle = entry.at("angle");
-    fold.duration = entry.at("duration").get<double>();
-    if (entry.count("stiffness")) fold.stiffness = entry.at("stiffness").get<double>();
-    if (entry.count("crease")) {
-      fold.where = CreaseName{entry.at("crease")};
-    } else {
-      const std::array<double, 4> line = entry.at("line");
-      fold.where = Segment{Vector2(line[0], line[1]), Vector2(line[2], line[3])};
-    }
-    folds.push_back(std::move(fold));
+    const std::array<double, 4> line = entry.at("line");
+    folds.push_back(lineFold({Vector2(line[0], line[1]), Vector2(line[2], line[3])},
+                             entry.at("angle"), entry.at("duration")));
+    if (entry.count("stiffness")) folds.back().stiffness = entry.at("stiffness").get<double>();
   }
   return folds;
 }
@@ -69,6 +61,7 @@ RecipePlace placeFrom(const nlohmann::json& json) {
           json.at("started"),
           json.at("step_start"),
           std::nullopt,
+          json.at("failures"),
           underWayFrom(json.at("under_way")),
           foldsFrom(json.at("unfolding")),
           json.at("timeouts")};
@@ -96,6 +89,7 @@ nlohmann::json RecipeRun::checkpoint() const {
           {"step", place.step},
           {"started", place.started},
           {"step_start", place.start_time},
+          {"failures", place.failures},
           {"under_way", underWayJson(place.under_way)},
           {"unfolding", foldsJson(place.unfolding)},
           {"output", output_},
@@ -143,6 +137,14 @@ bool RecipeRun::goBack(std::uint64_t edit) {
   before_.reset();
   places_.erase(place, places_.end());
   return true;
+}
+
+std::optional<std::uint64_t> RecipeRun::firstEdit() const {
+  const int step = runner_.place().step;
+  const auto first = std::find_if(places_.begin(), places_.end(),
+                                  [step](const auto& entry) { return entry.second.step == step; });
+  if (first == places_.end() || first->second.started) return std::nullopt;
+  return first->first;
 }
 
 void RecipeRun::end(const std::string& why) {

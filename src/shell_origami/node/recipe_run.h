@@ -45,6 +45,11 @@ class RecipeRun {
   /// then.
   bool goBack(std::uint64_t edit);
 
+  /// Number of the first edit of the step under way, if it is known.
+  std::optional<std::uint64_t> firstEdit() const;
+  /// RecipeRunner::tryAgain(), once the paper is as it was before that edit.
+  bool tryAgain(const StepFailed& failed) { return runner_.tryAgain(failed, runner_.place()); }
+
   /// Tells the listener of the end, and the log of an early one.
   void end(const std::string& why);
   /// Nobody hears of the end any more.

@@ -82,7 +82,7 @@ FoldThroughRecord Session::foldThrough(const FoldThrough& fold, const Viewpoint&
   std::vector<EditRecord> made = applyOfRecipe(std::vector<Edit>(folds.begin(), folds.end()));
   if (turn) journal_->add(*turn, simulation_.time());
   const double duration = fold.duration.value_or(simulation_.config().fold_duration);
-  journal_->add(FoldThroughStep{fold, duration}, simulation_.time());
+  journal_->add(FoldThroughStep{std::make_shared<FoldThrough>(fold), duration}, simulation_.time());
   look(plan.after);
   return {std::move(plan), std::move(made)};
 }
@@ -178,6 +178,12 @@ std::uint64_t Session::undo(std::uint32_t count) {
   look(before.view);
   if (listener_) listener_->onUndo(before.edit);
   return before.edit;
+}
+
+bool Session::undoFrom(std::uint64_t edit) {
+  const std::uint32_t count = history_.countFrom(edit);
+  if (count > 0) undo(count);
+  return count > 0;
 }
 
 Counters Session::counters() const {

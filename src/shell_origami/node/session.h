@@ -88,6 +88,9 @@ class Session {
   /// \param count  of the edits, at least 1
   /// \throws std::invalid_argument when these are more than are kept
   std::uint64_t undo(std::uint32_t count);
+  /// The same before the edit of a number. Returns false, and does nothing, where that paper is not
+  /// kept.
+  bool undoFrom(std::uint64_t edit);
 
   /// Holds the steps that led from the loaded paper to this one, without those undone. Recipes
   /// note theirs there.

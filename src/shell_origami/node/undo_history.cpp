@@ -2,6 +2,7 @@
 
 #include <shell_origami/base/error.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace shell_origami {
@@ -23,6 +24,12 @@ void UndoHistory::dropOldest() {
     bytes_ -= kept_.front().bytes;
     kept_.pop_front();
   }
+}
+
+std::uint32_t UndoHistory::countFrom(std::uint64_t edit) const {
+  const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                  [edit](const Kept& kept) { return kept.before.edit == edit; });
+  return static_cast<std::uint32_t>(kept_.end() - found);
 }
 
 BeforeEdit UndoHistory::goBack(std::uint32_t count) {

@@ -29,6 +29,8 @@ class UndoHistory {
   bool keeps() const { return most_bytes_ > 0; }
 
   void add(BeforeEdit before);
+  /// Returns how many edits have been since one, itself included; 0: it is not kept.
+  std::uint32_t countFrom(std::uint64_t edit) const;
   /// Returns what was before the last `count` edits, and forgets these.
   /// \throws std::invalid_argument when it does not go back that far, and then forgets nothing
   BeforeEdit goBack(std::uint32_t count);

@@ -31,6 +31,7 @@ struct ManoeuvrePlan {
 struct ManoeuvreManner {
   double angle = kShutAngle;  ///< by which creases are shut [rad]
   double duration = 1;        ///< of all phases, without their rest [s]
+  bool looser = false;        ///< opens what is in the way farther
 };
 
 /// A fold along a line of the flat sheet.

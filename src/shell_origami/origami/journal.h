@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <deque>
 #include <optional>
 #include <set>
 #include <string>
@@ -72,9 +73,9 @@ class Journal : public RecipeListener {
 
  private:
   PaperOrigin origin_;
-  double moved_first_ = 0;  ///< until when the paper moved before the first step [s]
-  std::vector<DoneStep> steps_;
-  std::size_t of_recipe_ = 0;  ///< number of the last step that a recipe began, from 1
+  double moved_first_ = 0;      ///< until when the paper moved before the first step [s]
+  std::deque<DoneStep> steps_;  ///< grows without a copy of all
+  std::size_t of_recipe_ = 0;   ///< number of the last step that a recipe began, from 1
 };
 
 }  // namespace shell_origami

@@ -11,6 +11,12 @@ struct Plan {
   ManoeuvrePlan operator()(const PetalFold& petal) const {
     return planPetalFold(petal, manner, view, simulation);
   }
+  ManoeuvrePlan operator()(const PleatFold& pleat) const {
+    return planPleatFold(pleat, manner, view, simulation);
+  }
+  ManoeuvrePlan operator()(const RabbitEar& ear) const {
+    return planRabbitEar(ear, manner, view, simulation);
+  }
   ManoeuvrePlan operator()(const ReverseFold& reverse) const {
     return planReverseFold(reverse, manner, view, simulation);
   }
@@ -21,12 +27,16 @@ struct Plan {
 
 struct LengthIs {
   double operator()(const PetalFold&) const { return 1.5; }
+  double operator()(const PleatFold&) const { return 1.5; }
+  double operator()(const RabbitEar&) const { return 1.5; }
   double operator()(const ReverseFold&) const { return 10; }
   double operator()(const SquashFold&) const { return 6; }
 };
 
 struct WordIs {
   const char* operator()(const PetalFold&) const { return "petal"; }
+  const char* operator()(const PleatFold&) const { return "pleat"; }
+  const char* operator()(const RabbitEar&) const { return "rabbit_ear"; }
   const char* operator()(const ReverseFold&) const { return "reverse"; }
   const char* operator()(const SquashFold&) const { return "squash"; }
 };

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <shell_origami/origami/petal_fold.h>
+#include <shell_origami/origami/pleat_fold.h>
+#include <shell_origami/origami/rabbit_ear.h>
 #include <shell_origami/origami/reverse_fold.h>
 #include <shell_origami/origami/squash_fold.h>
 
@@ -10,7 +12,7 @@
 
 namespace shell_origami {
 
-using Manoeuvre = std::variant<PetalFold, ReverseFold, SquashFold>;
+using Manoeuvre = std::variant<PetalFold, PleatFold, RabbitEar, ReverseFold, SquashFold>;
 
 /// Returns how a manoeuvre is carried out. Nothing is changed.
 /// \throws std::invalid_argument with one sentence that says why the paper cannot be folded so

@@ -53,7 +53,7 @@ class ThoughtPaper {
 
 void requireNoOrder(const RecipeStep& step) {
   const auto* fold = std::get_if<FoldThroughStep>(&step);
-  if (fold && fold->fold.layers == FoldLayers::kTop) {
+  if (fold && fold->fold->layers == FoldLayers::kTop) {
     reject("which layers are at the top is not known before the paper is folded: use flap");
   }
 }

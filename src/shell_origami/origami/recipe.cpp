@@ -53,6 +53,9 @@ RecipeRunner::RecipeRunner(Recipe recipe, const RecipePlace& place)
 
 namespace {
 
+/// How often a step is tried before the recipe ends.
+constexpr int kMostTries = 2;
+
 /// Whether a step, or the phase of it that is under way, is over.
 struct Over {
   const Simulation& simulation;
@@ -97,7 +100,7 @@ struct Word {
   const char* operator()(const AddVertexStep&) const { return "add_vertex"; }
   const char* operator()(const StopStep&) const { return "stop"; }
   const char* operator()(const ConfigureStep&) const { return "configure"; }
-  const char* operator()(const ManoeuvreStep& step) const { return wordOf(step.manoeuvre); }
+  const char* operator()(const ManoeuvreStep& step) const { return wordOf(*step.manoeuvre); }
   const char* operator()(const UnfoldStep&) const { return "unfold"; }
   const char* operator()(const LoosenStep&) const { return "loosen"; }
 };
@@ -133,10 +136,11 @@ bool RecipeRunner::update(const Simulation& simulation, const Apply& apply,
       beginPhase(simulation, apply);
       continue;
     }
-    if (std::holds_alternative<ManoeuvreStep>(step)) noteResult(simulation);
+    if (std::holds_alternative<ManoeuvreStep>(step)) checkResult(simulation);
     if (listener) listener->onStepOver(simulation.time());
     ++place_.step;
     place_.started = false;
+    place_.failures = 0;
     place_.under_way = {};
   }
   return false;
@@ -180,13 +184,21 @@ bool RecipeRunner::update(Simulation& simulation) {
   });
 }
 
-/// Tells of the creases that a manoeuvre left far from where they are to be.
-void RecipeRunner::noteResult(const Simulation& simulation) {
-  for (const std::string& sentence : failuresOf(place_.under_way.result, simulation)) {
-    std::ostringstream warning;
-    warning << "step " << place_.step + 1 << ", " << doing() << ": " << sentence;
-    warnings_.push_back(warning.str());
-  }
+void RecipeRunner::checkResult(const Simulation& simulation) const {
+  const std::vector<std::string> failures = failuresOf(place_.under_way.result, simulation);
+  if (failures.empty()) return;
+  std::ostringstream sentence;
+  sentence << "step " << place_.step + 1 << ", " << doing() << ", failed: " << failures.front();
+  if (failures.size() > 1) sentence << ", and " << failures.size() - 1 << " more";
+  throw StepFailed(sentence.str(), place_.failures + 1);
+}
+
+bool RecipeRunner::tryAgain(const StepFailed& failed, const RecipePlace& before) {
+  place_ = before;
+  if (failed.failures() >= kMostTries) return false;
+  place_.failures = failed.failures();
+  warnings_.push_back(failed.what() + std::string("; it is tried again, looser and slower"));
+  return true;
 }
 
 /// Whether the step under way, or its phase, is over.

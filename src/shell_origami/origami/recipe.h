@@ -11,8 +11,10 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -43,9 +45,10 @@ struct SettleStep {
   double timeout = 5;
   bool quasi_static = false;
 };  ///< [s]
-/// A fold through layers, as the paper is when the step begins.
+/// A fold through layers, as the paper is when the step begins. What is large in a step is shared:
+/// journals keep many steps.
 struct FoldThroughStep {
-  FoldThrough fold;
+  std::shared_ptr<const FoldThrough> fold;
   double duration = 1;  ///< [s]
 };
 /// Looks at the paper's other side from now on.
@@ -69,7 +72,7 @@ struct ConfigureStep {
   std::optional<double> air_damping, fold_duration;
 };
 struct ManoeuvreStep {
-  Manoeuvre manoeuvre;
+  std::shared_ptr<const Manoeuvre> manoeuvre;
   ManoeuvreManner manner;
 };
 /// Takes back the last step that folded: its creases return to where they were.
@@ -147,6 +150,7 @@ struct RecipePlace {
   bool started = false;           ///< whether that step's edits are made
   double start_time = 0;          ///< of that step [s]
   std::optional<Viewpoint> view;  ///< none: that of the flat sheet's front
+  int failures = 0;               ///< of that step, which was taken back each time
   StepUnderWay under_way;
   std::vector<FoldEdit> unfolding;  ///< what takes the last step that folded back
   /// Steps before it, 0-based, that ended at their timeout before the paper had settled.
@@ -163,6 +167,18 @@ class RecipeListener {
   virtual void onStepOver(double time) = 0;
 };
 
+/// A step has left creases otherwise than it should: on the wrong side, or far from their angles.
+/// The paper is to be taken back to before the step.
+class StepFailed : public std::runtime_error {
+ public:
+  StepFailed(const std::string& sentence, int failures)
+      : std::runtime_error(sentence), failures_(failures) {}
+  int failures() const { return failures_; }  ///< of the step, this one included
+
+ private:
+  int failures_;
+};
+
 /// Carries a recipe out. Call update() before each step.
 class RecipeRunner {
  public:
@@ -175,7 +191,7 @@ class RecipeRunner {
 
   /// Makes the edits that are due now. Returns false once every step of the recipe is done.
   /// \param listener  null: nobody hears
-  /// \throws std::invalid_argument when the paper rejects edits of the recipe.
+  /// \throws std::invalid_argument when the paper rejects edits of the recipe; StepFailed.
   bool update(const Simulation& simulation, const Apply& apply, RecipeListener* listener = nullptr);
   bool update(Simulation& simulation);
 
@@ -183,6 +199,9 @@ class RecipeRunner {
   const RecipePlace& place() const { return place_; }
   /// Goes on from another place of the same recipe, with the paper as it was there.
   void goTo(const RecipePlace& place) { place_ = place; }
+  /// Goes back to before a step that failed, as the paper has been, to carry it out looser and
+  /// slower. Returns false where it has failed too often.
+  bool tryAgain(const StepFailed& failed, const RecipePlace& before);
   /// Looks at the paper as somebody else does.
   void look(const Viewpoint& view) { place_.view = view; }
   bool finished() const { return place_.step >= static_cast<int>(recipe_.steps.size()); }
@@ -197,7 +216,7 @@ class RecipeRunner {
   void drawLines(const Simulation& simulation, const Apply& apply, RecipeListener* listener);
   bool begin(const RecipeStep& step, const Simulation& simulation, const Apply& apply);
   void beginPhase(const Simulation& simulation, const Apply& apply);
-  void noteResult(const Simulation& simulation);
+  void checkResult(const Simulation& simulation) const;
   void noteTimeout(const SettleStep& step);
 
   Recipe recipe_;

@@ -34,6 +34,22 @@ bool readWay(const RecipeReader& reader, const YAML::Node& node) {
   return way == "behind";
 }
 
+/// Handlers of the words that say which layers a fold moves, and which way.
+void addLayerHandlers(const RecipeReader& reader, const LandmarkNames& names, FoldThrough& fold,
+                      RecipeReader::Handlers& handlers) {
+  handlers["layers"] = [&](const YAML::Node& value) { readLayers(reader, value, fold); };
+  handlers["flap"] = [&](const YAML::Node& value) {
+    fold.layers = FoldLayers::kFlap;
+    fold.flap = readLandmark(reader, value, names);
+  };
+  handlers["way"] = [&](const YAML::Node& value) { fold.behind = readWay(reader, value); };
+}
+
+void requireOneChoice(const RecipeReader& reader, const YAML::Node& node, const char* what) {
+  if (!node["flap"].IsDefined() || !node["layers"].IsDefined()) return;
+  reader.refuseAt(node, what, " takes one of layers and flap, not both");
+}
+
 /// The point of a flap, which a manoeuvre cannot do without.
 class FlapReader {
  public:
@@ -71,18 +87,11 @@ FoldThrough readFoldThrough(const RecipeReader& reader, const YAML::Node& node,
   FoldThrough fold;
   AxiomReader axiom(reader, names);
   RecipeReader::Handlers handlers = axiom.handlers();
-  handlers["layers"] = [&](const YAML::Node& value) { readLayers(reader, value, fold); };
-  handlers["flap"] = [&](const YAML::Node& value) {
-    fold.layers = FoldLayers::kFlap;
-    fold.flap = readLandmark(reader, value, names);
-  };
-  handlers["way"] = [&](const YAML::Node& value) { fold.behind = readWay(reader, value); };
+  addLayerHandlers(reader, names, fold, handlers);
   handlers["angle_deg"] = [&](const YAML::Node& value) { fold.angle = readAngle(reader, value); };
   handlers["name"] = [&](const YAML::Node& value) { fold.name = readCreaseName(reader, value); };
   reader.readMap(node, "fold_through", handlers);
-  if (node["flap"].IsDefined() && node["layers"].IsDefined()) {
-    reader.refuseAt(node, "fold_through takes one of layers and flap, not both");
-  }
+  requireOneChoice(reader, node, "fold_through");
   fold.axiom = axiom.axiom(node, "fold_through");
   return fold;
 }
@@ -95,7 +104,51 @@ ManoeuvreStep readPetal(const RecipeReader& reader, const YAML::Node& node,
                  {{"flap", flap.handler()}, {"angle_deg", [&](const YAML::Node& value) {
                                                step.manner.angle = readAngle(reader, value);
                                              }}});
-  step.manoeuvre = PetalFold{flap.flap(node, "petal")};
+  step.manoeuvre = std::make_shared<Manoeuvre>(PetalFold{flap.flap(node, "petal")});
+  return step;
+}
+
+ManoeuvreStep readPleat(const RecipeReader& reader, const YAML::Node& node,
+                        const LandmarkNames& names) {
+  ManoeuvreStep step;
+  PleatFold pleat;
+  AxiomReader axiom(reader, names);
+  std::optional<std::vector<Landmark>> back;
+  RecipeReader::Handlers handlers = axiom.handlers();
+  addLayerHandlers(reader, names, pleat.fold, handlers);
+  handlers["back"] = [&](const YAML::Node& value) {
+    back = readLandmarks(reader, value, 2, "back", names);
+  };
+  handlers["angle_deg"] = [&](const YAML::Node& value) {
+    step.manner.angle = readAngle(reader, value);
+  };
+  reader.readMap(node, "pleat", handlers);
+  requireOneChoice(reader, node, "pleat");
+  if (!back) reader.refuseAt(node, "pleat needs back, two points of a line");
+  pleat.fold.axiom = axiom.axiom(node, "pleat");
+  pleat.back = {(*back)[0], (*back)[1]};
+  step.manoeuvre = std::make_shared<Manoeuvre>(pleat);
+  return step;
+}
+
+ManoeuvreStep readRabbitEar(const RecipeReader& reader, const YAML::Node& node,
+                            const LandmarkNames& names) {
+  ManoeuvreStep step;
+  FlapReader flap(reader, names);
+  std::optional<std::vector<Landmark>> base;
+  RabbitEar ear;
+  reader.readMap(
+      node, "rabbit_ear",
+      {{"flap", flap.handler()},
+       {"base",
+        [&](const YAML::Node& value) { base = readLandmarks(reader, value, 2, "base", names); }},
+       {"way", [&](const YAML::Node& value) { ear.behind = readWay(reader, value); }},
+       {"angle_deg",
+        [&](const YAML::Node& value) { step.manner.angle = readAngle(reader, value); }}});
+  if (!base) reader.refuseAt(node, "rabbit_ear needs base, two corners of the flap");
+  ear.flap = flap.flap(node, "rabbit_ear");
+  ear.base = {(*base)[0], (*base)[1]};
+  step.manoeuvre = std::make_shared<Manoeuvre>(ear);
   return step;
 }
 
@@ -115,7 +168,8 @@ ManoeuvreStep readSquash(const RecipeReader& reader, const YAML::Node& node,
         [&](const YAML::Node& value) { step.manner.angle = readAngle(reader, value); }}});
   if (!bring) reader.refuseAt(node, "squash needs bring");
   if (!onto) reader.refuseAt(node, "squash needs to, two points of a line");
-  step.manoeuvre = SquashFold{flap.flap(node, "squash"), *bring, {(*onto)[0], (*onto)[1]}};
+  step.manoeuvre = std::make_shared<Manoeuvre>(
+      SquashFold{flap.flap(node, "squash"), *bring, {(*onto)[0], (*onto)[1]}});
   return step;
 }
 
@@ -134,7 +188,7 @@ ManoeuvreStep readReverse(const RecipeReader& reader, const YAML::Node& node,
   reader.readMap(node, "reverse", handlers);
   reverse.flap = flap.flap(node, "reverse");
   reverse.axiom = axiom.axiom(node, "reverse", reverse.flap);
-  step.manoeuvre = reverse;
+  step.manoeuvre = std::make_shared<Manoeuvre>(reverse);
   return step;
 }
 

@@ -17,6 +17,10 @@ FoldThrough readFoldThrough(const RecipeReader& reader, const YAML::Node& node,
 // Each reads the entry of the step of that name.
 ManoeuvreStep readPetal(const RecipeReader& reader, const YAML::Node& node,
                         const LandmarkNames& names);
+ManoeuvreStep readPleat(const RecipeReader& reader, const YAML::Node& node,
+                        const LandmarkNames& names);
+ManoeuvreStep readRabbitEar(const RecipeReader& reader, const YAML::Node& node,
+                            const LandmarkNames& names);
 ManoeuvreStep readSquash(const RecipeReader& reader, const YAML::Node& node,
                          const LandmarkNames& names);
 ManoeuvreStep readReverse(const RecipeReader& reader, const YAML::Node& node,

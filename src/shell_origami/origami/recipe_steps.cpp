@@ -141,8 +141,8 @@ double readSeconds(const RecipeReader& reader, const YAML::Node& node, const std
 }
 
 constexpr const char* kSteps =
-    "pin, unpin, fold, fold_through, petal, squash, reverse, unfold, loosen, turn_over, look_from, "
-    "settle, wait, add_vertex, stop or configure";
+    "pin, unpin, fold, fold_through, petal, pleat, rabbit_ear, squash, reverse, unfold, loosen, "
+    "turn_over, look_from, settle, wait, add_vertex, stop or configure";
 
 /// The duration that a recipe may state of a step; null: none.
 struct Duration {
@@ -181,10 +181,15 @@ RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double f
         }},
        {"fold_through",
         [&](const YAML::Node& value) {
-          steps.push_back(FoldThroughStep{readFoldThrough(reader, value, names)});
+          steps.push_back(FoldThroughStep{
+              std::make_shared<FoldThrough>(readFoldThrough(reader, value, names))});
         }},
        {"petal",
         [&](const YAML::Node& value) { steps.push_back(readPetal(reader, value, names)); }},
+       {"pleat",
+        [&](const YAML::Node& value) { steps.push_back(readPleat(reader, value, names)); }},
+       {"rabbit_ear",
+        [&](const YAML::Node& value) { steps.push_back(readRabbitEar(reader, value, names)); }},
        {"squash",
         [&](const YAML::Node& value) { steps.push_back(readSquash(reader, value, names)); }},
        {"reverse",
@@ -247,7 +252,7 @@ RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double f
   double* length = std::visit(Duration{}, steps[0]);
   if (has_duration && !length) reader.refuseAt(node, "duration belongs to a fold");
   const auto* manoeuvre = std::get_if<ManoeuvreStep>(&steps[0]);
-  if (manoeuvre && !has_duration) duration = fold_duration * lengthOf(manoeuvre->manoeuvre);
+  if (manoeuvre && !has_duration) duration = fold_duration * lengthOf(*manoeuvre->manoeuvre);
   if (length) *length = duration;
   return steps[0];
 }

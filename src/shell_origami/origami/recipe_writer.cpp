@@ -44,11 +44,29 @@ struct AxiomText {
   }
 };
 
+/// Which layers a fold moves, and which way.
+void addLayers(const FoldThrough& fold, const LandmarkText& text, YamlMap& entries) {
+  if (fold.layers == FoldLayers::kTop) {
+    entries.add("layers", "{top: " + std::to_string(fold.count) + "}");
+  }
+  if (fold.layers == FoldLayers::kFlap) entries.add("flap", text(fold.flap));
+  if (fold.behind) entries.add("way", "behind");
+}
+
 struct ManoeuvreText {
   const LandmarkText& text;
   YamlMap& entries;
 
   void operator()(const PetalFold& petal) const { entries.add("flap", text(petal.flap)); }
+  void operator()(const PleatFold& pleat) const {
+    std::visit(AxiomText{text, entries}, pleat.fold.axiom);
+    entries.add("back", text.several(pleat.back));
+    addLayers(pleat.fold, text, entries);
+  }
+  void operator()(const RabbitEar& ear) const {
+    entries.add("flap", text(ear.flap)).add("base", text.several(ear.base));
+    if (ear.behind) entries.add("way", "behind");
+  }
   void operator()(const SquashFold& squash) const {
     entries.add("flap", text(squash.flap)).add("bring", text(squash.bring));
     entries.add("to", text.several(squash.onto));
@@ -104,14 +122,10 @@ struct StepText {
     return "settle: " + entries.text();
   }
   std::string operator()(const FoldThroughStep& step) const {
-    const FoldThrough& fold = step.fold;
+    const FoldThrough& fold = *step.fold;
     YamlMap entries;
     std::visit(AxiomText{landmark, entries}, fold.axiom);
-    if (fold.layers == FoldLayers::kTop) {
-      entries.add("layers", "{top: " + std::to_string(fold.count) + "}");
-    }
-    if (fold.layers == FoldLayers::kFlap) entries.add("flap", landmark(fold.flap));
-    if (fold.behind) entries.add("way", "behind");
+    addLayers(fold, landmark, entries);
     if (fold.angle != kShutAngle) entries.add("angle_deg", degrees(fold.angle));
     if (!fold.name.empty()) entries.add("name", word(fold.name));
     return "fold_through: " + entries.text() + duration(step.duration);
@@ -135,10 +149,10 @@ struct StepText {
 
   std::string operator()(const ManoeuvreStep& step) const {
     YamlMap entries;
-    std::visit(ManoeuvreText{landmark, entries}, step.manoeuvre);
+    std::visit(ManoeuvreText{landmark, entries}, *step.manoeuvre);
     if (step.manner.angle != kShutAngle) entries.add("angle_deg", degrees(step.manner.angle));
-    const double by_default = origin.config.fold_duration * lengthOf(step.manoeuvre);
-    return std::string(wordOf(step.manoeuvre)) + ": " + entries.text() +
+    const double by_default = origin.config.fold_duration * lengthOf(*step.manoeuvre);
+    return std::string(wordOf(*step.manoeuvre)) + ": " + entries.text() +
            duration(step.manner.duration, by_default);
   }
   std::string operator()(const UnfoldStep& step) const {

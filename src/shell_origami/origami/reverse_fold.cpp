@@ -18,6 +18,8 @@ namespace {
 /// on, and the body tightened. All at once ends on the wrong side.
 constexpr double kLoosen = 0.1, kOpen = 0.25, kHalfway = 0.2, kOn = 0.3, kTighten = 0.2;
 constexpr double kLoose = 1, kOpening = 5, kTurning = 10, kShutting = 15, kTightenBeside = 5;
+/// Part of the body's angles that is left when it is loosened.
+constexpr double kOpenBody = 0.75, kOpenFarther = 0.5;
 /// Within which the paper may settle after a phase, as a part of the whole duration.
 constexpr double kRest = 0.06;
 
@@ -199,7 +201,7 @@ class ReversePlanner {
   std::vector<FoldEdit> loosened(std::vector<FoldEdit> body) const {
     for (FoldEdit& edit : body) {
       edit.duration = kLoosen * manner_.duration;
-      edit.angle *= 0.75;
+      edit.angle *= manner_.looser ? kOpenFarther : kOpenBody;
       edit.stiffness = kLoose * simulation_.config().material.crease_stiffness;
     }
     return body;

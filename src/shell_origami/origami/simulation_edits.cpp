@@ -109,12 +109,6 @@ FoldLine Simulation::insertLine(const Segment& line, const std::string& name) {
 
 namespace {
 
-bool inGroup(const Crease& crease, const std::string& group) {
-  return (group == "mountains" && crease.pattern_angle < 0) ||
-         (group == "valleys" && crease.pattern_angle > 0) ||
-         (group == "all" && std::abs(crease.pattern_angle) > 0);
-}
-
 double targetAngle(const Crease& crease, const FoldEdit& edit, bool by_group) {
   if (edit.part > 0) {
     return std::clamp(edit.part * crease.pattern_angle, -kLargestRestAngle, kLargestRestAngle);

@@ -2,6 +2,7 @@
 
 #include <shell_origami/base/error.h>
 #include <shell_origami/origami/crease_paths.h>
+#include <shell_origami/origami/fold_phase.h>
 #include <shell_origami/origami/layer_stack.h>
 
 #include <algorithm>
@@ -11,8 +12,26 @@
 namespace shell_origami {
 namespace {
 
+/// By which a manoeuvre that failed takes longer when it is tried again.
+constexpr double kSlower = 2;
+
 Segment lineBetween(const std::array<Landmark, 2>& ends, const Sheet& sheet) {
   return {flatPoint(ends[0], sheet), flatPoint(ends[1], sheet)};
+}
+
+/// The creases that a fold changes, of those that there are.
+std::vector<int> creasesOf(const FoldEdit& fold, const Sheet& sheet) {
+  if (const auto* line = std::get_if<Segment>(&fold.where)) return creasesAlong(sheet, *line);
+  std::vector<int> found;
+  if (const auto* named = std::get_if<CreaseName>(&fold.where)) {
+    for (std::size_t i = 0; i < sheet.creases().size(); ++i) {
+      const Crease& crease = sheet.creases()[i];
+      if (crease.name == named->name || inGroup(crease, named->name)) {
+        found.push_back(static_cast<int>(i));
+      }
+    }
+  }
+  return found;
 }
 
 struct Begin {
@@ -40,7 +59,7 @@ struct Begin {
     return with({SettleEdit{}});
   }
   StepBeginning operator()(const FoldThroughStep& step) const {
-    FoldThrough fold = step.fold;
+    FoldThrough fold = *step.fold;
     fold.duration = step.duration;
     const FoldPlan plan = planFold(fold, view, simulation);
     const std::vector<FoldEdit> folds = foldEdits(plan, fold);
@@ -63,7 +82,12 @@ struct Begin {
     return with({ConfigureEdit{live}});
   }
   StepBeginning operator()(const ManoeuvreStep& step) const {
-    ManoeuvrePlan plan = planManoeuvre(step.manoeuvre, step.manner, view, simulation);
+    ManoeuvreManner manner = step.manner;
+    if (place.failures > 0) {
+      manner.duration *= kSlower;
+      manner.looser = true;
+    }
+    ManoeuvrePlan plan = planManoeuvre(*step.manoeuvre, manner, view, simulation);
     FoldPhase first = std::move(plan.phases.front());
     plan.phases.erase(plan.phases.begin());
     return {{first.folds.begin(), first.folds.end()},
@@ -127,30 +151,17 @@ std::vector<FoldEdit> foldsOf(const StepBeginning& beginning) {
 std::vector<FoldEdit> unfoldingOf(const std::vector<FoldEdit>& folds,
                                   const Simulation& simulation) {
   if (folds.empty()) return {};
+  const Sheet& sheet = simulation.sheet();
   const std::vector<CreaseStatus> creases = simulation.creases();
   std::vector<FoldEdit> unfolding, pieces;
-  for (FoldEdit fold : folds) {
-    fold.stiffness.reset();
-    fold.name.clear();
-    if (const auto* named = std::get_if<CreaseName>(&fold.where)) {
-      for (const CreaseStatus& crease : creases) {
-        if (crease.name != named->name) continue;
-        fold.angle = crease.target_angle;
-        unfolding.push_back(fold);
-        break;
-      }
-      continue;
+  for (const FoldEdit& fold : folds) {
+    if (const auto* line = std::get_if<Segment>(&fold.where)) {
+      unfolding.push_back(lineFold(*line, 0, fold.duration.value_or(0)));
     }
-    const auto* line = std::get_if<Segment>(&fold.where);
-    if (!line) continue;
-    for (int crease : creasesAlong(simulation.sheet(), *line)) {
-      FoldEdit piece = fold;
-      piece.where = lineOf(crease, simulation.sheet());
-      piece.angle = creases[crease].target_angle;
-      pieces.push_back(std::move(piece));
+    for (int crease : creasesOf(fold, sheet)) {
+      pieces.push_back(
+          lineFold(lineOf(crease, sheet), creases[crease].target_angle, fold.duration.value_or(0)));
     }
-    fold.angle = 0;
-    unfolding.push_back(fold);
   }
   unfolding.insert(unfolding.end(), pieces.begin(), pieces.end());
   return unfolding;

@@ -24,6 +24,12 @@ void checkCreaseName(const std::string& name) {
   }
 }
 
+bool inGroup(const Crease& crease, const std::string& group) {
+  return (group == "mountains" && crease.pattern_angle < 0) ||
+         (group == "valleys" && crease.pattern_angle > 0) ||
+         (group == "all" && std::abs(crease.pattern_angle) > 0);
+}
+
 Sheet::Sheet(Triangulation triangulation, std::vector<Crease> creases)
     : triangulation_(std::move(triangulation)), creases_(std::move(creases)) {
   if (triangulation_.triangles().empty()) {

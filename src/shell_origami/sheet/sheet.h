@@ -32,6 +32,8 @@ struct LayerOrder {
 /// Throws std::invalid_argument if a crease may not have the name: it is empty, longer than 100
 /// bytes, or the name of a group of creases (all, mountains, valleys).
 void checkCreaseName(const std::string& name);
+/// Whether a crease belongs to a group: all, mountains or valleys of the pattern.
+bool inGroup(const Crease& crease, const std::string& group);
 
 /// Shortest edge that edge making leaves, as a part of the sheet's mean edge: shorter ones make a
 /// step's matrix singular. A line whose end is closer than kMergedFeature to the border, a crease

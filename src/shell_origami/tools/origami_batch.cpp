@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -122,12 +123,19 @@ class Frames {
   void add(const Simulation& simulation) {
     if (simulation.time() + 1e-9 < next_) return;
     next_ += every_;
-    const bool brings_mesh = frames_.empty() || simulation.sheet().revision() != revision_;
+    const bool brings_mesh = mesh_frame_ == 0 || simulation.sheet().revision() != revision_;
     if (brings_mesh) {
       revision_ = simulation.sheet().revision();
       mesh_frame_ = static_cast<int>(frames_.size()) + 1;  // the key frame is number 0
     }
     frames_.push_back(foldFrame(simulation, brings_mesh ? 0 : mesh_frame_));
+  }
+  std::size_t size() const { return frames_.size(); }
+  /// Forgets all but the first frames.
+  void keepFirst(std::size_t count) {
+    frames_.resize(count);
+    next_ = static_cast<double>(count) * every_;
+    mesh_frame_ = 0;
   }
   TextFile file(const Simulation& simulation, const std::string& title) const {
     nlohmann::json document = foldDocument(simulation, title);
@@ -140,37 +148,82 @@ class Frames {
   double every_;
   double next_ = 0;
   std::uint32_t revision_ = 0;
-  int mesh_frame_ = 0;
+  int mesh_frame_ = 0;  ///< which those that follow inherit; 0: none
   std::vector<nlohmann::json> frames_;
 };
 
-/// Folds to the recipe's end. Returns why it ended early; an empty text: it did not.
-std::string run(RecipeRunner& runner, Simulation& simulation, Frames& frames, Sequence& sequence) {
-  ProgressBar bar;
-  const auto update = [&] {
-    const bool goes_on = runner.update(simulation, [&](const std::vector<Edit>& edits) {
-      sequence.before(edits, runner, simulation);
-      sequence.after(simulation.apply(edits), runner);
-      return true;
-    });
-    for (const std::string& warning : runner.takeWarnings()) {
+/// A paper that a recipe folds, and the records of it.
+class Folding {
+ public:
+  Folding(RecipeRunner& runner, Simulation& simulation, double every)
+      : frames(every), runner_(runner), simulation_(simulation) {}
+
+  /// Folds to the recipe's end. Returns why it ended early; an empty text: it did not.
+  std::string run() {
+    ProgressBar bar;
+    try {
+      while (update()) {
+        frames.add(simulation_);
+        const StepReport report = simulation_.step();
+        if (!report.converged) return report.failure;
+        bar.draw(runner_, simulation_);
+      }
+    } catch (const std::exception& error) {
+      return error.what();  // the paper does not take an edit of the recipe
+    }
+    bar.draw(runner_, simulation_);
+    return "";
+  }
+
+  Frames frames;
+  Sequence sequence;
+
+ private:
+  struct BeforeStep {
+    Snapshot paper;
+    RecipePlace place;
+    Sequence sequence;
+    std::size_t frames;
+  };
+
+  bool update() {
+    bool goes_on = true;
+    try {
+      goes_on = runner_.update(simulation_, [this](const std::vector<Edit>& edits) {
+        apply(edits);
+        return true;
+      });
+    } catch (const StepFailed& failed) {
+      takeBack(failed);
+    }
+    for (const std::string& warning : runner_.takeWarnings()) {
       std::cerr << "origami_batch: " << warning << "\n";
     }
     return goes_on;
-  };
-  try {
-    while (update()) {
-      frames.add(simulation);
-      const StepReport report = simulation.step();
-      if (!report.converged) return report.failure;
-      bar.draw(runner, simulation);
-    }
-  } catch (const std::exception& error) {
-    return error.what();  // the paper does not take an edit of the recipe
   }
-  bar.draw(runner, simulation);
-  return "";
-}
+
+  void apply(const std::vector<Edit>& edits) {
+    if (!runner_.place().started) {
+      before_.emplace(BeforeStep{simulation_.snapshot(), runner_.place(), sequence, frames.size()});
+    }
+    sequence.before(edits, runner_, simulation_);
+    sequence.after(simulation_.apply(edits), runner_);
+  }
+
+  /// \throws std::runtime_error where the step is not to be tried again
+  void takeBack(const StepFailed& failed) {
+    simulation_ = Simulation(before_->paper);
+    sequence = before_->sequence;
+    frames.keepFirst(before_->frames);
+    if (!runner_.tryAgain(failed, before_->place)) {
+      throw std::runtime_error(failed.what() + std::string("; the paper is as it was before"));
+    }
+  }
+
+  RecipeRunner& runner_;
+  Simulation& simulation_;
+  std::optional<BeforeStep> before_;
+};
 
 int fold(const Options& options) {
   SheetSource sheet;
@@ -179,15 +232,14 @@ int fold(const Options& options) {
   std::vector<std::string> notes;
   Simulation simulation = makeSimulation(runner.recipe().sheet, runner.recipe().config, &notes);
   for (const std::string& note : notes) std::cerr << "origami_batch: " << note << "\n";
-  Frames frames(options.every);
-  Sequence sequence;
+  Folding folding(runner, simulation, options.every);
   const auto start = std::chrono::steady_clock::now();
-  const std::string failure = run(runner, simulation, frames, sequence);
+  const std::string failure = folding.run();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   const std::string& name = runner.recipe().name;
   const std::string folder = expandedPath(options.out);
   writeResults(simulation, {name, wall.count(), failure, runner.place().timeouts}, folder,
-               {frames.file(simulation, name), sequence.file(runner, simulation)});
+               {folding.frames.file(simulation, name), folding.sequence.file(runner, simulation)});
   if (failure.empty()) {
     const std::vector<std::string> sentences = shortfalls(simulation);
     for (const std::string& sentence : sentences)
