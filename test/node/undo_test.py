@@ -182,18 +182,21 @@ class UndoTest(NodeTest):
         self.assertAlmostEqual(widest, SIDE, delta=1e-6)
 
     def test_what_is_too_long_ago_is_refused(self):
+        with open(self.path('fine'), 'w') as recipe:
+            recipe.write('sheet: {size: [0.15, 0.15], max_edge: 0.003}\nsteps: []\n')
+        self.origami.do('load', path=self.path('fine'))
         self.fold(0.05, 1.0)
         before = self.origami.state()
         self.refused('edits is 100000', 'only the last', edits=100000)
         after = self.origami.state()
         self.assertEqual(after.edits, before.edits)
         self.assertSamePaper(after, before)
-        # Memory is bounded: in 4 MB not all of these papers find room, but many do.
-        for _ in range(400):
+        # Memory is bounded: in 60 MB not all of these papers find room, but many do.
+        for _ in range(100):
             self.origami.do('pin', vertices=[0])
-        self.refused('only the last', edits=401)
-        self.origami.do('undo', edits=80)
-        for _ in range(800):
+        self.refused('only the last', edits=101)
+        self.origami.do('undo', edits=20)
+        for _ in range(200):
             answer = self.origami.call('undo')
             if not answer.success:
                 break
