@@ -1,4 +1,6 @@
 /// A model told as people fold it, through layers (recipes/cup.yaml), coarse.
+#include "test/acceptance/simulated_layers.h"
+
 #include <shell_origami/origami/recipe.h>
 
 #include <gtest/gtest.h>
@@ -30,6 +32,7 @@ TEST(Cup, IsFoldedThroughItsLayersWithoutACrossing) {
   }
   EXPECT_EQ(valleys, 3);
   EXPECT_EQ(mountains, 4);
+  for (const std::string& fault : layerFaults(paper)) ADD_FAILURE() << fault;
 }
 
 }  // namespace
