@@ -10,22 +10,10 @@ import xmlrpc.client
 import rosnode
 import rospy
 from geometry_msgs.msg import Point
-from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
-from shell_origami import msg, srv
-
-# Debian 11's rospy calls this method at its end, which Debian 11's Python no longer has.
-if not hasattr(threading.Thread, 'isAlive'):
-    threading.Thread.isAlive = threading.Thread.is_alive
-
-SERVICES = {
-    'fold': srv.Fold, 'fold_through': srv.FoldThrough, 'layers': srv.Layers, 'turn_over': Trigger,
-    'pin': srv.Pin, 'unpin': srv.Unpin, 'add_vertex': srv.AddVertex,
-    'load': srv.Load, 'save': srv.Save, 'step': srv.Step,
-    'settle': Trigger, 'pause': Trigger, 'resume': Trigger, 'reset': Trigger, 'undo': srv.Undo,
-}
-
+import shell_origami
+from shell_origami import msg
 
 def wait_until(condition, what, timeout=20, period=0.02):
     """Returns the first true value of `condition()`. `what` is awaited, in words: a text, or a
@@ -85,27 +73,21 @@ class Recorder(object):
                 self.news.wait(0.05)
 
 
-class Origami(object):
+class Origami(shell_origami.Origami):
+    """The client of the package, and every message of the node."""
+
     def __init__(self, name='/origami'):
-        self.name = name
-        self.services = {}
-        for service, kind in SERVICES.items():
-            rospy.wait_for_service(name + '/' + service, 20)
-            self.services[service] = rospy.ServiceProxy(name + '/' + service, kind)
-        self.sheets = Recorder(name + '/sheet', msg.Sheet)
-        self.states = Recorder(name + '/state', msg.SheetState)
-        self.edits = Recorder(name + '/edits', msg.Edit)
+        super(Origami, self).__init__(name, timeout=20)
+        self.sheets = Recorder(self.name + '/sheet', msg.Sheet)
+        self.states = Recorder(self.name + '/state', msg.SheetState)
+        self.edits = Recorder(self.name + '/edits', msg.Edit)
         self.states.wait()
 
     def call(self, service, **fields):
+        """Returns the answer of a service, be it a rejection."""
         return self.services[service](**fields)
 
-    def do(self, service, **fields):
-        """Calls a service that must succeed."""
-        response = self.call(service, **fields)
-        if not response.success:
-            raise AssertionError('%s was refused: %s' % (service, response.message))
-        return response
+    do = shell_origami.Origami.request
 
     def state(self):
         """The state as it is after every request answered so far. Pauses the node."""
