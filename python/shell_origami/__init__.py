@@ -9,6 +9,12 @@
     paper.wait_until_settled()
 """
 
-from shell_origami.client import Crease, Origami, OrigamiError, landmark
+from pkgutil import extend_path
+
+# In a build folder messages and core are in another folder than this file, which a process that is given
+# this one's path may find first.
+__path__ = extend_path(__path__, __name__)
+
+from shell_origami.client import Crease, Origami, OrigamiError, landmark  # noqa: E402
 
 __all__ = ['Crease', 'Origami', 'OrigamiError', 'landmark']

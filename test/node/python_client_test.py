@@ -10,10 +10,11 @@ import tempfile
 import unittest
 
 from geometry_msgs.msg import Point, PointStamped
+import numpy
 import rospy
 import rostest
 
-from shell_origami import Origami, OrigamiError
+from shell_origami import Origami, OrigamiError, core
 
 SIDE = 0.15
 ROOT = os.path.join(os.path.dirname(os.path.realpath(__file__)), '..', '..')
@@ -131,6 +132,17 @@ class PythonClientTest(unittest.TestCase):
         self.paper.undo(3)
         self.assertEqual(self.paper.state().positions, before)
         self.refused('no such file', self.paper.load, '/nowhere/paper.fold')
+
+    def test_the_node_and_the_core_give_the_same_bits(self):
+        paper = core.Simulation(SIDE, SIDE, 0.03)
+        for hand in (self.paper, paper):
+            hand.fold(line=[(0, 0), (SIDE, SIDE)], angle=1.0, duration=0.5)
+            hand.step(40)
+            hand.pin(points=[(SIDE, 0)])
+            hand.fold(line=[(0.05, 0), (0.05, SIDE)], angle=-2.0, duration=0.3)
+            hand.step(50)
+        told = numpy.array([(p.x, p.y, p.z) for p in self.paper.state().positions])
+        self.assertTrue((told == paper.positions.astype(numpy.float32)).all())
 
     def test_no_such_node(self):
         with self.assertRaises(OrigamiError) as gone:
