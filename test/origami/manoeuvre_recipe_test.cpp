@@ -172,6 +172,31 @@ TEST(RecipeSteps, APleatOfAStripMovesItsEndAlong) {
   EXPECT_NEAR((end - start).norm(), 0.1 - 2 * 0.01, 1e-4);
 }
 
+TEST(RecipeSteps, AManoeuvreWithoutAWordIsRejectedWithItsLine) {
+  const std::pair<const char*, const char*> rejected[] = {
+      {"petal: {}", "petal needs flap"},
+      {"pleat: {through: [[0, 0], [1, 1]], move: [1, 0]}", "pleat needs back"},
+      {"pleat: {back: [[0, 0], [1, 1]]}", "pleat takes one of bring"},
+      {"pleat: {bring: [0, 0], to: [1, 1], back: [[0, 0]]}", "back"},
+      {"pleat: {bring: [0, 0], to: [1, 1], back: [[0, 0], [1, 0]], flap: [0, 0], layers: {top: 1}}",
+       "one of layers and flap"},
+      {"rabbit_ear: {flap: [0, 0]}", "rabbit_ear needs base"},
+      {"rabbit_ear: {base: [[0, 0], [1, 1]]}", "rabbit_ear needs flap"},
+      {"rabbit_ear: {flap: [0, 0], base: [[0, 0], [1, 1]], way: up}", "way is 'up'"},
+      {"rabbit_ear: {flap: [0, 0], base: [[0, 0], [1, 1]], angle_deg: 180}", "angle_deg 180"},
+      {"squash: {flap: [0, 0], bring: [1, 0]}", "squash needs to"},
+      {"reverse: {flap: [0, 0]}", "reverse takes one of bring"}};
+  for (const auto& [step, words] : rejected) {
+    try {
+      readRecipe({"test", "", std::string("steps:\n  - ") + step + "\n"});
+      ADD_FAILURE() << step;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("line 2"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(Precreases, AreTheLinesOfAllFoldsOfTheCrane) {
   const Recipe recipe = loadRecipe("../recipes/crane.yaml");
   const std::vector<FoldEdit> lines = precreasesOf(recipe);

@@ -51,6 +51,8 @@ steps:
   - fold_through: {through: [tip, {on: [a, top], at: 0.25}], move: a}
   - fold: [{line: [tip, top], angle_deg: 178}]
   - petal: {flap: tip}
+  - pleat: {through: [a, top], move: tip, back: [top, tip], layers: {top: 2}, way: behind}
+  - rabbit_ear: {flap: tip, base: [a, top], way: behind}
   - squash: {flap: a, bring: tip, to: [top, a]}
     duration: 1
   - reverse: {flap: tip, through: [a, top], move: tip, inside: false, angle_deg: 170}
