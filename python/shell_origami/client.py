@@ -24,7 +24,7 @@ SERVICES = {
     'settle': Trigger, 'pause': Trigger, 'resume': Trigger, 'reset': Trigger,
 }
 
-# What a recipe's words say of a fold through layers, in the order of ~fold_through's points.
+# For each axiom of ~fold_through the recipe's words for its points, in the order of the request.
 AXIOMS = {'bring': ('bring', 'to'), 'edges': ('edge', 'to_edge'), 'across': ('across', 'at', 'move'),
           'through': ('through', 'move')}
 

@@ -1,7 +1,6 @@
 /// Manoeuvres, unfolding, loosening and lines drawn first, as steps of recipes.
 #include <shell_origami/origami/precreases.h>
 #include <shell_origami/origami/recipe.h>
-#include <shell_origami/sheet/fold_line.h>
 #include "test/origami/manoeuvres.h"
 
 #include <fstream>

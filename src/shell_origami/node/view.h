@@ -14,7 +14,7 @@ View viewOf(const Recipe* recipe, double sheet_size);
 
 bool same(const View& a, const View& b);
 
-/// What the camera looks at: the middle of the paper. It stays where it is until the paper has
+/// The camera's target, the middle of the paper. It stays where it is until the paper has
 /// moved a part of its size away, and is then pulled along: folding does not move the picture, a
 /// hand that drags paper is not dragged by it, and paper that falls stays in view.
 class CameraTarget {

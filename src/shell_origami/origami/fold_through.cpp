@@ -3,20 +3,9 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/origami/layer_cuts.h>
 
-#include <cmath>
 #include <utility>
 
 namespace shell_origami {
-namespace {
-
-/// The angle of a crease through a triangle's layer: a valley where its front faces the viewer and
-/// the fold comes towards the viewer.
-double turn(int triangle, const FoldThrough& fold, const LayersBesidePlane& layers) {
-  return std::copysign(fold.angle, (fold.behind ? -1 : 1) * layers.facing(triangle));
-}
-
-}  // namespace
-
 FoldPlan planFold(const FoldThrough& fold, const Viewpoint& view, const Simulation& simulation) {
   const Sheet& sheet = simulation.sheet();
   const ViewedPaper paper = viewedPaper(view, simulation);
@@ -29,7 +18,7 @@ FoldPlan planFold(const FoldThrough& fold, const Viewpoint& view, const Simulati
   FoldPlan plan{{}, layers.viewOfRest(moves)};
   const std::vector<CreaseStatus> creases = simulation.creases();
   for (const LayerCut& cut : cutLayers(sheet, paper, plane, layers, moves)) {
-    const double angle = angleOf(cut, turn(cut.triangle, fold, layers), creases);
+    const double angle = angleOf(cut, layers.turn(cut.triangle, fold.angle, fold.behind), creases);
     plan.layers.push_back({cut.panel, cut.line, angle});
   }
   if (plan.layers.empty()) reject("no layer is cut by the fold");

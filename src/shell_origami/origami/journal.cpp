@@ -143,7 +143,7 @@ void Journal::onStepBegun(const RecipeStep& step, double time) {
   of_recipe_ = steps_.size();
 }
 
-/// What was done while the step of a recipe was under way is a step of its own, and ends it.
+/// An edit that somebody made meanwhile is a step of its own, and ended the recipe's step before.
 void Journal::onStepOver(double time) {
   if (!steps_.empty() && of_recipe_ == steps_.size()) steps_.back().over = time;
 }

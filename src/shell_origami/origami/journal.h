@@ -1,5 +1,5 @@
 /// \file
-/// What was done to a paper since it was loaded, as steps of a recipe.
+/// All edits of a paper since it was loaded, as steps of a recipe.
 #pragma once
 
 #include <shell_origami/origami/recipe.h>

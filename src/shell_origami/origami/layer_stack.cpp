@@ -15,7 +15,7 @@ namespace {
 /// A corner of the paper is seen although rounding puts it beside its triangles by this part of
 /// their size.
 constexpr double kBeside = 1e-9;
-/// What one panel shows within this depth is one layer, seen through triangles that meet there [m].
+/// Two triangles of one panel that are hit within this depth of each other are one layer [m].
 constexpr double kSameDepth = 1e-6;
 /// Cosine of the angle to a triangle's normal below which a direction looks along the paper.
 constexpr double kAlong = 0.1;

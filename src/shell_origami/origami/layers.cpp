@@ -60,6 +60,10 @@ double LayersBesidePlane::facing(int triangle) const {
   return cosine(triangle);
 }
 
+double LayersBesidePlane::turn(int triangle, double angle, bool behind) const {
+  return std::copysign(angle, (behind ? -1 : 1) * facing(triangle));
+}
+
 /// Triangles are of one flap where they share an edge that reaches beyond the plane.
 void LayersBesidePlane::findFlaps() {
   const auto reaches = [&](int v) { return plane_.distance(paper_.positions.col(v)) > near_; };

@@ -32,6 +32,9 @@ class LayersBesidePlane {
   /// Returns the cosine between a triangle's normal and the viewer: positive where its front shows.
   /// \throws std::invalid_argument where it stands on edge
   double facing(int triangle) const;
+  /// Returns the angle of a crease through a triangle's layer at which the fold comes by an angle
+  /// [rad] towards the viewer, or goes behind: a valley where its front faces that way.
+  double turn(int triangle, double angle, bool behind) const;
 
   /// Returns of each triangle whether it moves: its flap is chosen. Flaps are the parts of the
   /// paper beyond the plane that are joined to each other there.

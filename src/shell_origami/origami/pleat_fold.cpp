@@ -3,7 +3,6 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/origami/layer_cuts.h>
 
-#include <cmath>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -68,8 +67,7 @@ class PleatPlanner {
     if (cuts.empty()) reject("no layer is cut by one of the pleat's folds");
     const std::vector<CreaseStatus> creases = simulation_.creases();
     for (const LayerCut& cut : cuts) {
-      const double turn =
-          std::copysign(manner_.angle, (behind ? -1 : 1) * layers.facing(cut.triangle));
+      const double turn = layers.turn(cut.triangle, manner_.angle, behind);
       folds_.push_back(lineFold(cut.line, angleOf(cut, turn, creases), manner_.duration));
     }
     return cuts;

@@ -8,12 +8,15 @@
 namespace shell_origami {
 namespace {
 
-double readAngle(const RecipeReader& reader, const YAML::Node& node) {
-  const double angle = reader.number(node, "angle_deg");
-  if (!(angle > 0 && angle < 180)) {
-    reader.refuseAt(node, "angle_deg ", angle, " is not inside (0, 180)");
-  }
-  return angle * kDegree;
+/// Reads an angle of degrees into one of radians.
+std::function<void(const YAML::Node&)> intoAngle(const RecipeReader& reader, double& into) {
+  return [&](const YAML::Node& node) {
+    const double angle = reader.number(node, "angle_deg");
+    if (!(angle > 0 && angle < 180)) {
+      reader.refuseAt(node, "angle_deg ", angle, " is not inside (0, 180)");
+    }
+    into = angle * kDegree;
+  };
 }
 
 void readLayers(const RecipeReader& reader, const YAML::Node& node, FoldThrough& fold) {
@@ -88,7 +91,7 @@ FoldThrough readFoldThrough(const RecipeReader& reader, const YAML::Node& node,
   AxiomReader axiom(reader, names);
   RecipeReader::Handlers handlers = axiom.handlers();
   addLayerHandlers(reader, names, fold, handlers);
-  handlers["angle_deg"] = [&](const YAML::Node& value) { fold.angle = readAngle(reader, value); };
+  handlers["angle_deg"] = intoAngle(reader, fold.angle);
   handlers["name"] = [&](const YAML::Node& value) { fold.name = readCreaseName(reader, value); };
   reader.readMap(node, "fold_through", handlers);
   requireOneChoice(reader, node, "fold_through");
@@ -101,9 +104,7 @@ ManoeuvreStep readPetal(const RecipeReader& reader, const YAML::Node& node,
   ManoeuvreStep step;
   FlapReader flap(reader, names);
   reader.readMap(node, "petal",
-                 {{"flap", flap.handler()}, {"angle_deg", [&](const YAML::Node& value) {
-                                               step.manner.angle = readAngle(reader, value);
-                                             }}});
+                 {{"flap", flap.handler()}, {"angle_deg", intoAngle(reader, step.manner.angle)}});
   step.manoeuvre = std::make_shared<Manoeuvre>(PetalFold{flap.flap(node, "petal")});
   return step;
 }
@@ -119,9 +120,7 @@ ManoeuvreStep readPleat(const RecipeReader& reader, const YAML::Node& node,
   handlers["back"] = [&](const YAML::Node& value) {
     back = readLandmarks(reader, value, 2, "back", names);
   };
-  handlers["angle_deg"] = [&](const YAML::Node& value) {
-    step.manner.angle = readAngle(reader, value);
-  };
+  handlers["angle_deg"] = intoAngle(reader, step.manner.angle);
   reader.readMap(node, "pleat", handlers);
   requireOneChoice(reader, node, "pleat");
   if (!back) reader.refuseAt(node, "pleat needs back, two points of a line");
@@ -143,8 +142,7 @@ ManoeuvreStep readRabbitEar(const RecipeReader& reader, const YAML::Node& node,
        {"base",
         [&](const YAML::Node& value) { base = readLandmarks(reader, value, 2, "base", names); }},
        {"way", [&](const YAML::Node& value) { ear.behind = readWay(reader, value); }},
-       {"angle_deg",
-        [&](const YAML::Node& value) { step.manner.angle = readAngle(reader, value); }}});
+       {"angle_deg", intoAngle(reader, step.manner.angle)}});
   if (!base) reader.refuseAt(node, "rabbit_ear needs base, two corners of the flap");
   ear.flap = flap.flap(node, "rabbit_ear");
   ear.base = {(*base)[0], (*base)[1]};
@@ -164,8 +162,7 @@ ManoeuvreStep readSquash(const RecipeReader& reader, const YAML::Node& node,
        {"bring", [&](const YAML::Node& value) { bring = readLandmark(reader, value, names); }},
        {"to",
         [&](const YAML::Node& value) { onto = readLandmarks(reader, value, 2, "to", names); }},
-       {"angle_deg",
-        [&](const YAML::Node& value) { step.manner.angle = readAngle(reader, value); }}});
+       {"angle_deg", intoAngle(reader, step.manner.angle)}});
   if (!bring) reader.refuseAt(node, "squash needs bring");
   if (!onto) reader.refuseAt(node, "squash needs to, two points of a line");
   step.manoeuvre = std::make_shared<Manoeuvre>(
@@ -182,9 +179,7 @@ ManoeuvreStep readReverse(const RecipeReader& reader, const YAML::Node& node,
   RecipeReader::Handlers handlers = axiom.handlers();
   handlers["flap"] = flap.handler();
   handlers["inside"] = reader.into(&reverse.inside, "inside");
-  handlers["angle_deg"] = [&](const YAML::Node& value) {
-    step.manner.angle = readAngle(reader, value);
-  };
+  handlers["angle_deg"] = intoAngle(reader, step.manner.angle);
   reader.readMap(node, "reverse", handlers);
   reverse.flap = flap.flap(node, "reverse");
   reverse.axiom = axiom.axiom(node, "reverse", reverse.flap);

@@ -17,6 +17,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -203,8 +204,11 @@ class Folding {
   }
 
   void apply(const std::vector<Edit>& edits) {
-    if (!runner_.place().started) {
-      before_.emplace(BeforeStep{simulation_.snapshot(), runner_.place(), sequence, frames.size()});
+    const RecipePlace& place = runner_.place();
+    // Of all steps only manoeuvres are taken back.
+    if (!place.started &&
+        std::holds_alternative<ManoeuvreStep>(runner_.recipe().steps[place.step])) {
+      before_.emplace(BeforeStep{simulation_.snapshot(), place, sequence, frames.size()});
     }
     sequence.before(edits, runner_, simulation_);
     sequence.after(simulation_.apply(edits), runner_);
