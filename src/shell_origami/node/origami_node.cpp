@@ -3,12 +3,10 @@
 #include <shell_origami/node/message_text.h>
 #include <shell_origami/node/paper_sources.h>
 #include <shell_origami/node/record/edit_messages.h>
-#include <shell_origami/node/time_arithmetic.h>
 
 #include <ros/callback_queue.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -61,6 +59,7 @@ void OrigamiNode::spin() {
     else if (requests_.stepping()) continueStepping();
     else if (!run_.paused && untilNextStep() <= 0) advance();
     if (publishDue()) publish();
+    if (watcher_) watcher_();
     keepCheckpoint();
   }
   keepCheckpoint(true);
@@ -356,8 +355,7 @@ bool OrigamiNode::movingDue() {
   const ros::Time stamp = this->stamp();
   if (stamp == last_stamp_ || stamp.isZero()) return false;
   const double time_step = run_.session.simulation().config().solver.time_step;
-  const double early = secondsBetween(stamp, next_publish_);
-  return changed_ || early < 0.5 * time_step || early > 2 / config_.publish_rate;
+  return changed_ || publishing_.due(stamp, config_.publish_rate, 0.5 * time_step);
 }
 
 void OrigamiNode::publish() {
@@ -367,11 +365,7 @@ void OrigamiNode::publish() {
   if (standing()) clock_->announce(run_.session.time());
   publishers_.publish(run_.session, run_.paused, step_, real_time_factor_.value(), stamp);
 
-  const double period = 1 / config_.publish_rate;
-  next_publish_ = later(next_publish_, period);
-  if (std::abs(secondsBetween(stamp, next_publish_) - period) > period) {
-    next_publish_ = later(stamp, period);
-  }
+  publishing_.done(stamp, config_.publish_rate);
   last_publish_ = wall;
   last_stamp_ = stamp;
   changed_ = false;

@@ -4,6 +4,7 @@
 
 #include <shell_origami/node/checkpoint.h>
 #include <shell_origami/node/long_requests.h>
+#include <shell_origami/node/pace.h>
 #include <shell_origami/node/parameters.h>
 #include <shell_origami/node/publishers.h>
 #include <shell_origami/node/recipe_run.h>
@@ -65,6 +66,9 @@ class OrigamiNode : private SessionListener {
   using Carrier = std::function<void(double time_step, const ros::Time& end)>;
   void setCarrier(Carrier carrier) { carrier_ = std::move(carrier); }
 
+  /// Called by spin() between steps, again and again.
+  void setWatcher(std::function<void()> watcher) { watcher_ = std::move(watcher); }
+
   /// Reads the paper of a crease pattern or a recipe, then puts it in the place of this one, and
   /// abandons the recipe that runs.
   /// \param scale  metres per unit of a crease pattern; 0: the unit that the file states
@@ -122,13 +126,14 @@ class OrigamiNode : private SessionListener {
   std::unique_ptr<StepClock> clock_;
   Publishers publishers_;
   Carrier carrier_;
+  std::function<void()> watcher_;
   RealTimeFactor real_time_factor_;
   LongRequests requests_;
   StepReport step_;  ///< the last one
   StartWait start_wait_;
   bool waiting_;         ///< paused only until start_wait_ is over
   bool changed_ = true;  ///< by a request, since the last time the paper was published
-  ros::Time next_publish_;
+  Pace publishing_;
   ros::SteadyTime last_publish_;
   ros::Time last_stamp_;
 };
