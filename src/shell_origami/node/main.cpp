@@ -4,6 +4,7 @@
 #include <shell_origami/node/master_watch.h>
 #include <shell_origami/node/picking.h>
 #include <shell_origami/node/recipe_action.h>
+#include <shell_origami/node/sense/depth_camera.h>
 #include <shell_origami/node/services.h>
 
 #include <csignal>
@@ -22,6 +23,7 @@ int main(int argc, char** argv) {
     shell_origami::Services services(node, origami, held_frames, tf);
     shell_origami::RecipeAction recipe_action(node, origami);
     shell_origami::Picking picking(node, origami, tf);
+    shell_origami::DepthCamera depth_camera(node, origami, tf);
     shell_origami::LiveParameters live(node, origami);
     shell_origami::Diagnostics diagnostics(node, origami);
     std::optional<shell_origami::MasterWatch> master_watch;

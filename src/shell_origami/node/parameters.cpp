@@ -29,6 +29,16 @@ std::function<Place(NodeConfig&)> option(bool MarkerOptions::*member) {
   return [member](NodeConfig& config) { return Place(&(config.markers.*member)); };
 }
 
+template <class Value>
+std::function<Place(NodeConfig&)> depth(Value DepthConfig::*member) {
+  return [member](NodeConfig& config) { return Place(&(config.depth.*member)); };
+}
+
+template <class Value>
+std::function<Place(NodeConfig&)> camera(Value PinholeCamera::*member) {
+  return [member](NodeConfig& config) { return Place(&(config.depth.camera.*member)); };
+}
+
 Place coloring(NodeConfig& config) { return Choice(coloringNames(), config.colouring); }
 
 Place clock(NodeConfig& config) { return Choice(clockNames(), config.clock); }
@@ -74,11 +84,31 @@ ParameterTable<NodeConfig> makeTable() {
        {"contact_points", option(&MarkerOptions::contact_points),
         "whether `~markers` shows where layers push each other apart", "", kUnbounded, kLive},
        {"colouring", coloring, "what the colors of `~markers` tell", "", kUnbounded},
+       {"cloud/points", at(&Config::cloud_points),
+        "about how many `~cloud` has, half of them on each side", "", between(2, 1e6)},
+       {"depth/frame", depth(&DepthConfig::frame),
+        "of the depth camera, an optical frame: z forward, x to the right, y down", "", kUnbounded},
+       {"depth/rate", depth(&DepthConfig::rate), "of its images, in ROS time", "Hz",
+        between(0.01, 100)},
+       {"depth/width", camera(&PinholeCamera::width), "of its images", "pixel", between(1, 4096)},
+       {"depth/height", camera(&PinholeCamera::height), "of its images", "pixel", between(1, 4096)},
+       {"depth/focal_length", camera(&PinholeCamera::focal_length),
+        "which with the width says how much it sees", "pixel", kPositive},
+       {"depth/near", camera(&PinholeCamera::near),
+        "the smallest depth that it measures; less than `depth/far`", "m", kNotNegative},
+       {"depth/far", camera(&PinholeCamera::far), "the largest depth that it measures", "m",
+        kPositive},
        {"clock", clock, "how simulated time runs", "", kUnbounded},
        {"real_time_factor", at(&Config::real_time_factor),
         "with `clock: lead`, simulated over elapsed time; 0: as fast as it can", "", kNotNegative,
         kLive}});
   return table;
+}
+
+void requireFrameName(const std::string& parameter, const std::string& name) {
+  if (!name.empty() && name[0] != '/') return;
+  reject("parameter ~", parameter, " is \"", name,
+         "\", but must be a frame's name without a leading slash");
 }
 
 }  // namespace
@@ -94,10 +124,8 @@ void checkParameters(const NodeConfig& config) {
   } catch (const std::invalid_argument& error) {
     reject("parameter ~", error.what());
   }
-  if (config.world_frame.empty() || config.world_frame[0] == '/') {
-    reject("parameter ~world_frame is \"", config.world_frame,
-           "\", but must be a frame's name without a leading slash");
-  }
+  requireFrameName("world_frame", config.world_frame);
+  requireFrameName("depth/frame", config.depth.frame);
   if (!config.frame_prefix.empty() && config.frame_prefix[0] == '/') {
     reject("parameter ~frame_prefix is \"", config.frame_prefix,
            "\", but must be without a leading slash");
@@ -105,6 +133,11 @@ void checkParameters(const NodeConfig& config) {
   if (isPaperFrame(config.world_frame, config.frame_prefix)) {
     reject("parameter ~world_frame is \"", config.world_frame,
            "\", but that is one of the paper's own frames");
+  }
+  const PinholeCamera& camera = config.depth.camera;
+  if (camera.near >= camera.far) {
+    reject("parameter ~depth/near is ", camera.near, ", but must be less than depth/far, ",
+           camera.far);
   }
   if (config.clock == ClockMode::kLead && !ros::Time::isSimTime()) {
     reject(

@@ -4,6 +4,7 @@
 
 #include <shell_origami/node/draw/coloring.h>
 #include <shell_origami/node/draw/labels.h>
+#include <shell_origami/node/sense/depth_config.h>
 #include <shell_origami/origami/parameter_table.h>
 
 #include <ros/node_handle.h>
@@ -35,6 +36,8 @@ struct NodeConfig {
   std::string frame_prefix;  ///< with which the names of the paper's own frames begin
   MarkerOptions markers;     ///< what the markers show on demand
   Coloring colouring = Coloring::kPaper;
+  int cloud_points = 20000;  ///< about how many ~cloud has, on both sides together
+  DepthConfig depth;
   ClockMode clock = ClockMode::kFollow;
   double real_time_factor = 1;  ///< simulated over elapsed time, lead only; 0: as fast as it can
 };

@@ -20,6 +20,7 @@ Publishers::Publishers(ros::NodeHandle& node, const NodeConfig& config,
       state_(node.advertise<msg::SheetState>("state", 100)),
       energy_(node.advertise<msg::Energy>("energy", 100)),
       markers_(node, {config.markers, config.colouring}),
+      cloud_(node, config.cloud_points),
       view_(node.advertise<msg::View>("view", 1, true)),
       node_(node) {
   const auto send_paper = [whole_paper](const ros::SingleSubscriberPublisher& subscriber) {
@@ -52,6 +53,7 @@ void Publishers::publish(const Session& session, bool paused, const StepReport& 
     state_.publish(state);
     if (draw) markers_.publish(state);
   }
+  cloud_.publish(session, header(stamp));
   if (energy_.getNumSubscribers() > 0) {
     energy_.publish(energyMessage(session, step, real_time_factor, header(stamp)));
   }

@@ -5,6 +5,7 @@
 #include <shell_origami/node/draw/marker_publisher.h>
 #include <shell_origami/node/frames.h>
 #include <shell_origami/node/parameters.h>
+#include <shell_origami/node/sense/cloud.h>
 #include <shell_origami/node/session.h>
 #include <shell_origami/node/view.h>
 
@@ -63,6 +64,7 @@ class Publishers {
   ros::Publisher state_;
   ros::Publisher energy_;
   MarkerPublisher markers_;
+  CloudPublisher cloud_;
   ros::Publisher edit_;
   ros::Publisher view_;
   ros::NodeHandle node_;

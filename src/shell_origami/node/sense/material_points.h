@@ -1,0 +1,31 @@
+/// \file
+/// Points of the paper that can be followed, and its sides.
+#pragma once
+
+#include <shell_origami/sheet/sheet.h>
+
+#include <vector>
+
+namespace shell_origami {
+
+/// What a cloud and a label image say of a side of the paper. The front is the one that +z of the
+/// flat sheet points out of.
+constexpr float kFrontSide = 0, kBackSide = 1;
+
+/// A point of the paper, and the triangle in which it lies now.
+struct MaterialPoint {
+  Vector2 flat;  ///< [m]
+  Triangulation::Location place;
+};
+
+/// About so many points of a square lattice on the flat sheet, row by row. They depend on the
+/// sheet's outline and area alone: after a fold has divided the sheet into other triangles the
+/// points are the same, to the bit and in the same order.
+/// \pre count > 0
+std::vector<MaterialPoint> sampleSheet(const Sheet& sheet, double count);
+
+/// Where the point is in space.
+/// \param positions  of the sheet's vertices
+Vector3 inSpace(const MaterialPoint& point, const Sheet& sheet, const Positions& positions);
+
+}  // namespace shell_origami
