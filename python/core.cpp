@@ -2,14 +2,17 @@
 /// The Python module shell_origami.core: a paper in the process of the program that folds it.
 #include <shell_origami/origami/outcome.h>
 #include <shell_origami/origami/recipe.h>
+#include <shell_origami/origami/surface_file.h>
 
 #include <pybind11/eigen.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cstdint>
 #include <iomanip>
 #include <map>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -122,6 +125,47 @@ PinWhere whereOf(const std::vector<std::int64_t>& vertices, const std::vector<Ve
   return points;
 }
 
+/// gcc 12 warns of pybind11's own caster of Eigen's small vectors.
+using Triple = std::array<double, 3>;
+
+Pose poseOf(const Triple& position, const std::array<double, 4>& orientation) {
+  const auto& [x, y, z, w] = orientation;
+  return {Vector3(position.data()), Eigen::Quaterniond(w, x, y, z)};
+}
+
+struct ShapeWords {
+  bool plane;
+  std::optional<Triple> box;
+  std::optional<double> sphere;
+  std::optional<std::array<double, 2>> cylinder;
+  std::string mesh;
+};
+
+ObstacleShape shapeOf(const ShapeWords& words) {
+  std::vector<ObstacleShape> shapes;
+  if (words.plane) shapes.emplace_back(HalfSpace{});
+  if (words.box) shapes.emplace_back(Box{Vector3(words.box->data())});
+  if (words.sphere) shapes.emplace_back(Sphere{*words.sphere});
+  if (words.cylinder) shapes.emplace_back(Cylinder{(*words.cylinder)[0], (*words.cylinder)[1]});
+  if (!words.mesh.empty()) {
+    const Vector3 scale = Vector3::Ones();
+    shapes.emplace_back(MeshShape{std::make_shared<const Surface>(readSurface(words.mesh, scale)),
+                                  words.mesh, scale});
+  }
+  if (shapes.size() != 1) {
+    throw std::invalid_argument("give one of plane, box, sphere, cylinder and mesh");
+  }
+  return shapes[0];
+}
+
+py::dict wrenchesOf(const Simulation& paper) {
+  py::dict wrenches;
+  for (const auto& [id, wrench] : paper.obstacleWrenches()) {
+    wrenches[py::str(id)] = py::make_tuple(wrench.force, wrench.torque);
+  }
+  return wrenches;
+}
+
 py::bytes snapshotBytes(const Simulation& paper) {
   std::string bytes;
   nlohmann::json::to_cbor(toJson(paper.snapshot()), bytes);
@@ -184,6 +228,75 @@ void defineEdits(py::class_<Simulation>& paper) {
         if (!report.converged) throw SimulationError(report.failure);
       },
       "Moves the paper to equilibrium at once.", py::call_guard<py::gil_scoped_release>());
+}
+
+void defineObstacles(py::class_<Simulation>& paper) {
+  using Orientation = std::array<double, 4>;
+  constexpr Orientation kNone{0, 0, 0, 1};
+  paper.def(
+      "add_obstacle",
+      [](Simulation& self, const std::string& id, bool plane, std::optional<Triple> box,
+         std::optional<double> sphere, std::optional<std::array<double, 2>> cylinder,
+         const std::string& mesh, const Triple& position, const Orientation& orientation,
+         std::optional<double> friction) {
+        self.apply(AddObstacleEdit{id,
+                                   shapeOf({plane, box, sphere, cylinder, mesh}),
+                                   poseOf(position, orientation),
+                                   friction,
+                                   "",
+                                   {}});
+      },
+      "Puts a rigid body beside the paper: the half space below the plane z = 0 of its pose, a box "
+      "of a size, a sphere of a radius, a cylinder of (radius, length) about its z axis, or the "
+      "mesh of a file [m]. The orientation is a quaternion (x, y, z, w).",
+      py::arg("id"), py::arg("plane") = false, py::arg("box") = py::none(),
+      py::arg("sphere") = py::none(), py::arg("cylinder") = py::none(), py::arg("mesh") = "",
+      py::arg("position") = Triple{0, 0, 0}, py::arg("orientation") = kNone,
+      py::arg("friction") = py::none());
+  paper.def(
+      "move_obstacle",
+      [](Simulation& self, const std::string& id, const Triple& position,
+         const Orientation& orientation, double duration) {
+        self.apply(MoveObstacleEdit{id, poseOf(position, orientation), duration});
+      },
+      "Moves an obstacle to a pose within a duration [s], at a constant speed.", py::arg("id"),
+      py::arg("position"), py::arg("orientation") = kNone, py::arg("duration") = 1.0);
+  paper.def(
+      "remove_obstacles",
+      [](Simulation& self, const std::vector<std::string>& ids) {
+        return self.apply(RemoveObstacleEdit{ids}).ids;
+      },
+      "Takes obstacles away; all where none is named. Returns their names.",
+      py::arg("ids") = std::vector<std::string>());
+  paper.def(
+      "grasp",
+      [](Simulation& self, const std::string& id, const std::vector<std::int64_t>& vertices,
+         const std::vector<Vector2>& points, double stiffness, double max_force, double reach) {
+        return self
+            .apply(GraspEdit{id, whereOf(vertices, points), {stiffness, max_force, reach}, "", {}})
+            .vertices;
+      },
+      "Holds vertices softly where they are: by springs of a stiffness [N/m] up to a force [N], of "
+      "all of them together; beyond it they slip, and farther than `reach` [m] they are lost.",
+      py::arg("id"), py::arg("vertices") = std::vector<std::int64_t>(),
+      py::arg("points") = std::vector<Vector2>(), py::arg("stiffness") = Firmness().stiffness,
+      py::arg("max_force") = Firmness().max_force, py::arg("reach") = Firmness().reach);
+  paper.def(
+      "release",
+      [](Simulation& self, const std::vector<std::string>& ids) {
+        return self.apply(ReleaseEdit{ids}).ids;
+      },
+      "Ends grasps; all where none is named. Returns their names.",
+      py::arg("ids") = std::vector<std::string>());
+  paper.def_property_readonly(
+      "wrenches", &wrenchesOf,
+      "Force [N] and torque about the origin [N*m] of the paper on each obstacle.");
+  paper.def_property_readonly(
+      "stopped",
+      [](const Simulation& self) {
+        return self.stopped() ? self.stopped()->ids : std::vector<std::string>();
+      },
+      "Obstacles that paper slowed down or stopped in the last step.");
 }
 
 void defineTime(py::class_<Simulation>& paper) {
@@ -276,6 +389,7 @@ PYBIND11_MODULE(core, module) {
             py::arg("max_edge") = 0.01, py::arg("parameters") = Parameters(),
             "A flat sheet [m]; parameters by their names, as {'material/thickness': 2e-4}.");
   defineEdits(paper);
+  defineObstacles(paper);
   defineTime(paper);
   defineState(paper);
   module.def("load", &load,

@@ -7,12 +7,14 @@ import time
 import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus
-from geometry_msgs.msg import Point, Point32, PointStamped, Polygon, Vector3
+from geometry_msgs.msg import (Point, Point32, PointStamped, Polygon, PoseStamped, Quaternion,
+                               Vector3)
+from shape_msgs.msg import Plane, SolidPrimitive
 from std_srvs.srv import Trigger
 
 from shell_origami.msg import FoldRecipeAction, FoldRecipeGoal, Landmark, Sheet, SheetState
-from shell_origami.srv import (AddVertex, Fold, FoldThrough, Layers, Load, Pin, Save, Step, Undo,
-                               Unpin)
+from shell_origami.srv import (AddObstacle, AddVertex, Fold, FoldThrough, Grasp, Layers, Load,
+                               Pin, Release, RemoveObstacle, Save, Step, Undo, Unpin)
 
 # Debian 11's rospy calls this method at its end, which Debian 11's Python no longer has.
 if not hasattr(threading.Thread, 'isAlive'):
@@ -20,7 +22,8 @@ if not hasattr(threading.Thread, 'isAlive'):
 
 SERVICES = {
     'fold': Fold, 'fold_through': FoldThrough, 'layers': Layers, 'turn_over': Trigger, 'pin': Pin,
-    'unpin': Unpin, 'add_vertex': AddVertex, 'load': Load, 'save': Save, 'step': Step, 'undo': Undo,
+    'unpin': Unpin, 'add_vertex': AddVertex, 'add_obstacle': AddObstacle,
+    'remove_obstacle': RemoveObstacle, 'grasp': Grasp, 'release': Release, 'load': Load, 'save': Save, 'step': Step, 'undo': Undo,
     'settle': Trigger, 'pause': Trigger, 'resume': Trigger, 'reset': Trigger,
 }
 
@@ -202,6 +205,49 @@ class Origami(object):
     def unpin(self, vertices=()):
         """Lets go of vertices; of all where none is given."""
         return self.request('unpin', vertices=vertices)
+
+    def grasp(self, id, vertices=(), points=(), region=(), center=None, radius=0.0, frame='',
+              stiffness=0.0, max_force=0.0, reach=0.0):
+        """Holds vertices softly: by springs of a stiffness [N/m] up to a force [N], both of all of
+        them together; beyond it the paper slips. Vertices are chosen as by pin()."""
+        corners = Polygon([Point32(x, y, 0) for x, y in region])
+        return self.request('grasp', id=id, vertices=vertices,
+                            points=[flat_point(p) for p in points], region=corners,
+                            center=center or PointStamped(), radius=radius, frame_id=frame,
+                            stiffness=stiffness, max_force=max_force, reach=reach)
+
+    def release(self, *ids):
+        """Ends grasps; all where none is named."""
+        return self.request('release', ids=ids)
+
+    # Obstacles
+
+    def add_obstacle(self, id, box=None, sphere=None, cylinder=None, plane=None, mesh='',
+                     scale=(1, 1, 1), position=(0, 0, 0), orientation=(0, 0, 0, 1), frame='',
+                     friction=-1.0):
+        """Puts a rigid body beside the paper: a box of a size (x, y, z), a sphere of a radius, a
+        cylinder of (radius, length) about its z axis, the half space under a plane (a, b, c, d) with
+        a x + b y + c z + d = 0, or a mesh; at a pose in the world, or in a TF frame that carries it
+        along. A negative friction: the node's parameter."""
+        fields = dict(id=id, mesh=mesh, scale=Vector3(*scale), friction=friction)
+        if box is not None:
+            fields['primitive'] = SolidPrimitive(SolidPrimitive.BOX, box)
+        if sphere is not None:
+            fields['primitive'] = SolidPrimitive(SolidPrimitive.SPHERE, [sphere])
+        if cylinder is not None:
+            radius, length = cylinder
+            fields['primitive'] = SolidPrimitive(SolidPrimitive.CYLINDER, [length, radius])
+        if plane is not None:
+            fields['plane'] = Plane(plane)
+        pose = PoseStamped()
+        pose.header.frame_id = frame
+        pose.pose.position = Point(*position)
+        pose.pose.orientation = Quaternion(*orientation)
+        return self.request('add_obstacle', pose=pose, **fields)
+
+    def remove_obstacle(self, *ids):
+        """Takes obstacles away; all where none is named."""
+        return self.request('remove_obstacle', ids=ids)
 
     # Files
 

@@ -30,6 +30,11 @@ bool fuzzCbor(int inputs, unsigned seed);
 /// paper made again of its snapshot goes on to the bit.
 bool fuzzEdits(int edits, unsigned seed);
 
+/// Papers among up to four random obstacles, of which some are moved, for a second. True when paper
+/// was whole, and passed neither through itself nor through an obstacle, after every step, and
+/// steps that did not converge gave a reason.
+bool fuzzObstacles(int scenes, unsigned seed);
+
 /// Crease patterns of squares that were folded flat through all layers along random lines. True
 /// when 95 % of them fold to within 2 % of the exact state, and what is amiss is said of the rest.
 bool fuzzPatterns(int patterns, unsigned seed);

@@ -66,7 +66,8 @@ class Master(object):
     @staticmethod
     def own(name, node):
         name = '~' + name[len(node) + 1:] if name.startswith(node + '/') else name
-        return re.sub('^~wrench/.*', '~wrench/<frame>', name)
+        name = name.replace('~wrench/stone', '~wrench/<id>')
+        return re.sub('^~wrench/[^<]*$', '~wrench/<frame>', name)
 
     def of(self, registered, node):
         return {(self.own(name, node), name) for name, nodes in registered if node in nodes
@@ -146,6 +147,7 @@ class ReferenceTest(unittest.TestCase):
 
     def test_topics(self):
         self.origami.do('pin', vertices=[0])
+        self.origami.add_obstacle('stone', sphere=0.01, position=(5, 5, 5))
         clock = ('/clock', 'rosgraph_msgs/Clock', 'out')
         of_origami = topics_of('Topics of origami_node') | topics_of_actions() | set(LIVE)
         wanted = {'/origami': of_origami - {clock}, '/markers': topics_of('origami_markers'),

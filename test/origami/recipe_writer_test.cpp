@@ -61,6 +61,15 @@ steps:
   - turn_over: {}
   - look_from: [0, 0.5, -1]
   - add_vertex: {edge: [0, 4], fraction: 0.3}
+  - add_obstacle: [{id: table, plane: {}, position: [0, 0, -1]}, {id: jaw, box: [0.1, 0.2, 0.3], position: [1, 2, 3], orientation: [0.6, 0, 0, 0.8], friction: 0.2}]
+  - add_obstacle: [{id: ball, sphere: 0.1, position: [2, 0, 0]}, {id: rod, cylinder: {radius: 0.01, length: 0.1}, position: [3, 0, 0]}]
+  - obstacle: {id: jaw, move: {position: [1, 2, 4]}}
+    duration: 2
+  - remove_obstacle: [jaw]
+  - remove_obstacle: all
+  - grasp: {id: hand, vertices: [0, 3], stiffness: 500, max_force: 0.5, reach: 0.02}
+  - release: [hand]
+  - release: all
   - stop: {}
   - configure: {gravity: [0, 0, -9.81], air_damping: 2, fold_duration: 0.25}
 )";

@@ -6,21 +6,27 @@
 namespace shell_origami {
 
 BoundingTree::BoundingTree(const CollisionMesh& mesh) {
-  std::vector<Vector2> centers;
+  std::vector<Vector3> centers;
   for (const CollisionMesh::Face& face : mesh.faces()) {
     const auto& [a, b, c] = face.vertices;
-    const auto& flat = mesh.flatPositions();
-    centers.push_back((flat[a] + flat[b] + flat[c]) / 3);
+    const auto& rest = mesh.restPositions();
+    centers.push_back((rest[a] + rest[b] + rest[c]) / 3);
   }
   std::vector<int> faces(centers.size());
   std::iota(faces.begin(), faces.end(), 0);
   nodes_.reserve(2 * faces.size());
-  if (!faces.empty()) divide(centers, faces.begin(), faces.end());
+  const std::vector<int>& first = mesh.firstFaces();
+  for (std::size_t i = 0; i + 1 < first.size(); ++i) {
+    if (i > 0) body_roots_.push_back(static_cast<int>(nodes_.size()));
+    if (first[i] < first[i + 1]) {
+      divide(centers, faces.begin() + first[i], faces.begin() + first[i + 1]);
+    }
+  }
 }
 
 /// Adds the node of these faces and those below it, halved across the longer side of the centers'
 /// box.
-void BoundingTree::divide(const std::vector<Vector2>& centers, std::vector<int>::iterator begin,
+void BoundingTree::divide(const std::vector<Vector3>& centers, std::vector<int>::iterator begin,
                           std::vector<int>::iterator end) {
   const std::size_t node = nodes_.size();
   nodes_.emplace_back();
@@ -28,9 +34,10 @@ void BoundingTree::divide(const std::vector<Vector2>& centers, std::vector<int>:
     nodes_[node].face = *begin;
     return;
   }
-  Eigen::AlignedBox2d box;
+  Eigen::AlignedBox3d box;
   for (auto face = begin; face != end; ++face) box.extend(centers[*face]);
-  const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+  int axis = 0;
+  box.sizes().maxCoeff(&axis);
   const auto middle = begin + (end - begin) / 2;
   std::nth_element(begin, middle, end, [&](int f, int g) {
     return std::make_pair(centers[f][axis], f) < std::make_pair(centers[g][axis], g);

@@ -1,5 +1,5 @@
 /// \file
-/// Which faces may come near each other: a tree of boxes over the flat sheet.
+/// Which faces may come near each other: trees of boxes over the flat sheet and over bodies.
 #pragma once
 
 #include <shell_origami/contact/collision_mesh.h>
@@ -35,19 +35,21 @@ inline bool mayMeet(const MovingBox& a, const MovingBox& b, double ahead, double
   return true;
 }
 
-/// Faces that lie together on the flat sheet stay together however it is folded, so that the tree
-/// is made once and only its boxes follow the paper.
+/// Faces that lie together on the flat sheet stay together however it is folded, and those of a
+/// body anyway, so that the trees are made once and only their boxes follow the motion.
 class BoundingTree {
  public:
   explicit BoundingTree(const CollisionMesh& mesh);
 
   /// Calls found(f, g) for every two faces whose boxes meet, each pair once, in an order that
-  /// depends on the tree alone. `faces` has the box of each face.
+  /// depends on the tree alone: of the sheet, or, where there are bodies, of the sheet and a body.
+  /// `faces` has the box of each face.
   template <class Meet, class Found>
   void forEachPair(const std::vector<MovingBox>& faces, Meet&& meet, Found&& found) const {
     if (nodes_.empty()) return;
     const std::vector<MovingBox> boxes = boxesOfNodes(faces);
-    within(boxes, 0, meet, found);
+    if (body_roots_.empty()) within(boxes, 0, meet, found);
+    for (int root : body_roots_) between(boxes, 0, root, meet, found);
   }
 
  private:
@@ -57,7 +59,7 @@ class BoundingTree {
     int face = -1;
   };
 
-  void divide(const std::vector<Vector2>& centers, std::vector<int>::iterator begin,
+  void divide(const std::vector<Vector3>& centers, std::vector<int>::iterator begin,
               std::vector<int>::iterator end);
   std::vector<MovingBox> boxesOfNodes(const std::vector<MovingBox>& faces) const;
   template <class Meet, class Found>
@@ -87,7 +89,8 @@ class BoundingTree {
     }
   }
 
-  std::vector<Node> nodes_;  ///< parents before their children
+  std::vector<Node> nodes_;  ///< parents before their children; the sheet's tree first
+  std::vector<int> body_roots_;
 };
 
 }  // namespace shell_origami

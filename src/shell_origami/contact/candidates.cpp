@@ -16,8 +16,8 @@ constexpr double kReachPerDistance = 0.005;
 /// area. In boxes along other axes each layer of a tilted stack would meet all others.
 Eigen::Matrix3d frameOfLayers(const CollisionMesh& mesh, const Positions& x) {
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (const CollisionMesh::Face& face : mesh.faces()) {
-    const auto& [a, b, c] = face.vertices;
+  for (int f = 0; f < mesh.sheetFaceCount(); ++f) {
+    const auto& [a, b, c] = mesh.faces()[f].vertices;
     const Vector3 normal = (x.col(b) - x.col(a)).cross(x.col(c) - x.col(a));
     const double length = normal.norm();
     if (length > 0) moments += normal * normal.transpose() / length;
@@ -33,8 +33,8 @@ Candidates::Candidates(const CollisionMesh& mesh, const BoundingTree& tree, cons
       margin_(margin),
       most_(most),
       turn_(frameOfLayers(mesh, from)),
-      places_(turn_.lazyProduct(from)),
-      ways_(turn_.lazyProduct(to) - places_) {
+      places_(turn_.lazyProduct(from.leftCols(mesh.vertexCount()))),
+      ways_(turn_.lazyProduct(to.leftCols(mesh.vertexCount())) - places_) {
   std::vector<MovingBox> faces;
   faces.reserve(mesh.faces().size());
   for (const CollisionMesh::Face& face : mesh.faces()) faces.push_back(boxOf(face.vertices));
@@ -96,7 +96,7 @@ void Candidates::add(const CollisionMesh& mesh, PairKind kind, const std::array<
 /// There is one part of the way from which each coordinate differs by the margin at most.
 bool Candidates::cover(const Positions& x) const {
   double first = 0, last = kAhead;
-  for (int v = 0; v < x.cols(); ++v) {
+  for (int v = 0; v < places_.cols(); ++v) {
     const Vector3 gone = turn_.lazyProduct(x.col(v)) - places_.col(v);
     for (int k = 0; k < 3; ++k) {
       const double way = ways_(k, v);

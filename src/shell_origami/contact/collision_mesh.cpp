@@ -1,6 +1,11 @@
 #include <shell_origami/contact/collision_mesh.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
 
 namespace shell_origami {
 namespace {
@@ -9,19 +14,23 @@ namespace {
 /// in crossingSegments(). Where a side of a slit was split, that is by rounding off the other side.
 constexpr double kCoincident = 1e-9;
 
-bool contains(const Triangle& corners, int v) {
+/// Sine of the angle below which two faces of a body lie in one plane.
+constexpr double kFlat = 1e-9;
+
+bool hasCorner(const Triangle& corners, int v) {
   return corners[0] == v || corners[1] == v || corners[2] == v;
 }
 
 }  // namespace
 
-CollisionMesh::CollisionMesh(const Sheet& sheet)
-    : flat_(sheet.flatPositions()), coincident_(kCoincident * sheet.size()) {
+CollisionMesh::CollisionMesh(const Sheet& sheet, const std::vector<Body>& bodies)
+    : coincident_(kCoincident * sheet.size()) {
+  for (const Vector2& p : sheet.flatPositions()) rest_.emplace_back(p.x(), p.y(), 0);
   for (const Edge& edge : sheet.edges()) {
     edges_.push_back(edge.vertices);
     opposite_.push_back(edge.opposite);
   }
-  std::vector<bool> vertex_owned(flat_.size(), false), edge_owned(edges_.size(), false);
+  std::vector<bool> vertex_owned(rest_.size(), false), edge_owned(edges_.size(), false);
   const auto claim = [](std::vector<bool>& owned, int i) {
     const bool first = !owned[i];
     owned[i] = true;
@@ -38,12 +47,66 @@ CollisionMesh::CollisionMesh(const Sheet& sheet)
     faces_.push_back(face);
     sides_.push_back(sides);
   }
+  first_faces_ = {0, static_cast<int>(faces_.size())};
+  for (const Body& body : bodies) {
+    addBody(*body.surface);
+    friction_.push_back(body.friction);
+    first_faces_.push_back(static_cast<int>(faces_.size()));
+  }
+}
+
+/// Adds the faces of a body with the vertices and edges at which its surface bends. Paper that
+/// passes an edge between faces in one plane passes their corners or their borders as well.
+void CollisionMesh::addBody(const Surface& surface) {
+  const int first_vertex = static_cast<int>(rest_.size());
+  for (int v = 0; v < surface.vertices.cols(); ++v) rest_.push_back(surface.vertices.col(v));
+  const auto normal = [&](const Triangle& t) {
+    const auto at = [&](int k) { return Vector3(surface.vertices.col(t[k])); };
+    return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+  };
+  struct Side {
+    int face, place;
+  };
+  std::map<std::pair<int, int>, std::vector<Side>> sides;
+  for (int f = 0; f < static_cast<int>(surface.faces.size()); ++f) {
+    const Triangle& t = surface.faces[f];
+    Face face{t, {-1, -1, -1}, {-1, -1, -1}};
+    for (int& v : face.vertices) v += first_vertex;
+    faces_.push_back(face);
+    sides_.push_back({-1, -1, -1});
+    for (int k = 0; k < 3; ++k) sides[std::minmax(t[k], t[(k + 1) % 3])].push_back({f, k});
+  }
+  if (surface.half_space) return;
+  const int first_face = static_cast<int>(faces_.size() - surface.faces.size());
+  std::vector<bool> owned(rest_.size(), false);
+  for (const auto& [ends, around] : sides) {
+    const bool flat =
+        around.size() == 2 &&
+        normal(surface.faces[around[0].face]).cross(normal(surface.faces[around[1].face])).norm() <
+            kFlat;
+    if (flat) continue;
+    Face& face = faces_[first_face + around[0].face];
+    face.owned_edges[around[0].place] = static_cast<int>(edges_.size());
+    edges_.push_back({first_vertex + ends.first, first_vertex + ends.second});
+    opposite_.push_back({-1, -1});
+    for (int k = 0; k < 3; ++k) {
+      const int v = face.vertices[k];
+      if ((v != edges_.back()[0] && v != edges_.back()[1]) || owned[v]) continue;
+      owned[v] = true;
+      face.owned_vertices[k] = v;
+    }
+  }
+}
+
+double CollisionMesh::bodyFriction(const TrianglePair& faces) const {
+  const auto after = std::upper_bound(first_faces_.begin(), first_faces_.end(), faces[1]);
+  return friction_[after - first_faces_.begin() - 2];
 }
 
 void CollisionMesh::leaveOut(const std::vector<TrianglePair>& crossing) {
   left_out_.clear();
   if (crossing.empty()) return;
-  std::vector<std::vector<int>> around(flat_.size());
+  std::vector<std::vector<int>> around(rest_.size());
   for (int f = 0; f < static_cast<int>(faces_.size()); ++f) {
     for (int v : faces_[f].vertices) around[v].push_back(f);
   }
@@ -61,10 +124,11 @@ void CollisionMesh::leaveOut(const std::vector<TrianglePair>& crossing) {
 }
 
 bool CollisionMesh::incident(int vertex, int face) const {
-  if (contains(faces_[face].vertices, vertex)) return true;
-  return std::any_of(sides_[face].begin(), sides_[face].end(), [&](int edge) {
-    return opposite_[edge][0] == vertex || opposite_[edge][1] == vertex;
-  });
+  if (hasCorner(faces_[face].vertices, vertex)) return true;
+  return face < sheetFaceCount() &&
+         std::any_of(sides_[face].begin(), sides_[face].end(), [&](int edge) {
+           return opposite_[edge][0] == vertex || opposite_[edge][1] == vertex;
+         });
 }
 
 bool CollisionMesh::incidentEdges(int a, int b) const {
@@ -79,15 +143,16 @@ bool CollisionMesh::incidentEdges(int a, int b) const {
 }
 
 double CollisionMesh::flatDistance(PairKind kind, const std::array<int, 4>& points) const {
+  if (hasBodies()) return std::numeric_limits<double>::infinity();
   PairPoints x;
-  for (int i = 0; i < 4; ++i) x[i] << flat_[points[i]], 0;
+  for (int i = 0; i < 4; ++i) x[i] = rest_[points[i]];
   const double distance = closestPoints(kind, x).distance;
   return distance > coincident_ ? distance : 0;
 }
 
 double CollisionMesh::squaredProduct(const std::array<int, 4>& points) const {
-  return (flat_[points[1]] - flat_[points[0]]).squaredNorm() *
-         (flat_[points[3]] - flat_[points[2]]).squaredNorm();
+  return (rest_[points[1]] - rest_[points[0]]).squaredNorm() *
+         (rest_[points[3]] - rest_[points[2]]).squaredNorm();
 }
 
 }  // namespace shell_origami

@@ -39,6 +39,8 @@ std::vector<double> contactPressures(const Sheet& sheet, const std::vector<Conta
   std::vector<Load> loads(sheet.vertexCount());
   for (const ContactForce& force : forces) {
     for (int k = 0; k < 4; ++k) {
+      // Those of bodies have numbers after the sheet's.
+      if (force.vertices[k] >= sheet.vertexCount()) continue;
       Load& load = loads[force.vertices[k]];
       load.both_sides += force.on(k).norm();
       load.resultant += force.on(k);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace shell_origami {
 namespace {
@@ -65,16 +66,24 @@ ContactPotential::ContactIterate& ContactPotential::of(Iterate& at) {
 
 ContactPotential::ContactPotential(const Sheet& sheet, const ContactParameters& parameters,
                                    const std::vector<TrianglePair>& crossing)
-    : mesh_(sheet),
+    : ContactPotential(CollisionMesh(sheet), sheet, parameters) {
+  mesh_.leaveOut(crossing);
+}
+
+ContactPotential::ContactPotential(const Sheet& sheet, const std::vector<Body>& bodies,
+                                   const ContactParameters& parameters)
+    : ContactPotential(CollisionMesh(sheet, bodies), sheet, parameters) {}
+
+ContactPotential::ContactPotential(CollisionMesh mesh, const Sheet& sheet,
+                                   const ContactParameters& parameters)
+    : mesh_(std::move(mesh)),
       tree_(mesh_),
       distance_(parameters.distance),
       stiffness_(parameters.stiffness),
       friction_(parameters.friction),
       sticking_(parameters.sticking),
       margin_(kMargin * sheet.meanEdge()),
-      most_(std::max<std::size_t>(kMostPairs, kMostPairsPerVertex * sheet.vertexCount())) {
-  mesh_.leaveOut(crossing);
-}
+      most_(std::max<std::size_t>(kMostPairs, kMostPairsPerVertex * sheet.vertexCount())) {}
 
 std::unique_ptr<Potential::Iterate> ContactPotential::makeIterate() const {
   return std::make_unique<ContactIterate>();
@@ -138,14 +147,14 @@ void ContactPotential::finish(ContactIterate& at) const {
 std::shared_ptr<const ContactPotential::Friction> ContactPotential::frictionFrom(
     const ContactIterate& at) const {
   auto friction = std::make_shared<Friction>();
-  if (friction_ == 0) return friction;
   friction->start = at.x;
   for (const Contact& contact : at.contacts) {
     const double force = -forceOf(contact);
     // Edges that are nearly parallel have no common normal.
-    if (force <= 0 || contact.mollifier.value < 1) continue;
+    const double coefficient = frictionOf(contact.pair);
+    if (force <= 0 || coefficient == 0 || contact.mollifier.value < 1) continue;
     friction->pairs.push_back(frictionPair(contact.pair, contact.closest,
-                                           pointsOf(contact.pair, at.x), friction_ * force));
+                                           pointsOf(contact.pair, at.x), coefficient * force));
   }
   return friction;
 }
@@ -206,7 +215,10 @@ std::optional<Infeasibility> ContactPotential::findInfeasibility(const Positions
   if (!candidates->complete()) return Infeasibility{"paper would jump", -1};
   for (const ContactPair& pair : candidates->pairs()) {
     if (isFree(pair, start, x)) continue;
-    return Infeasibility{"paper would pass through paper", pair.vertices[0]};
+    return mesh_.hasBodies()
+               ? Infeasibility{"paper would pass through an obstacle",
+                               *std::min_element(pair.vertices.begin(), pair.vertices.end())}
+               : Infeasibility{"paper would pass through paper", pair.vertices[0]};
   }
   return std::nullopt;
 }

@@ -21,7 +21,7 @@ struct ContactConfig {
 struct ContactParameters {
   double distance;   ///< within which paper begins to push [m]
   double stiffness;  ///< of a pair of that reach at contact, of the order of the membrane's [N/m]
-  double friction = 0;     ///< Coulomb's coefficient
+  double friction = 0;     ///< Coulomb's coefficient, paper on paper
   double sticking = 1e-6;  ///< slip within a step below which friction is not yet at its bound [m]
 };
 
@@ -42,15 +42,19 @@ struct Impact {
   ClosestPoints closest;
 };
 
-/// Incremental Potential Contact (Li et al. 2020) between the parts of one sheet. A configuration
-/// is reached from another one only on a straight way on which no vertex passes through a face and
-/// no edge through another one.
+/// Incremental Potential Contact (Li et al. 2020) between the parts of one sheet, or between it and
+/// bodies. A configuration is reached from another one only on a straight way on which no vertex
+/// passes through a face and no edge through another one. Columns of positions are the vertices of
+/// the sheet and, after these, of the bodies, which are prescribed.
 class ContactPotential : public Potential {
  public:
   /// \param crossing what passes through itself where the paper is: left out of contact. Nothing
   /// else may cross in a configuration that start() is given.
   ContactPotential(const Sheet& sheet, const ContactParameters& parameters,
                    const std::vector<TrianglePair>& crossing = {});
+  /// \pre there are bodies, and none crosses the sheet
+  ContactPotential(const Sheet& sheet, const std::vector<Body>& bodies,
+                   const ContactParameters& parameters);
 
   /// The pairs within their reach, in a fixed order.
   std::vector<Contact> contacts(const Positions& x) const;
@@ -76,6 +80,7 @@ class ContactPotential : public Potential {
   bool rough(const Iterate& at) const override;
 
  private:
+  ContactPotential(CollisionMesh mesh, const Sheet& sheet, const ContactParameters& parameters);
   struct ContactIterate;
   struct Friction;
   static const ContactIterate& of(const Iterate& at);
@@ -87,6 +92,9 @@ class ContactPotential : public Potential {
   bool addContact(const ContactPair& pair, const ClosestPoints& closest, ContactIterate& at) const;
   void finish(ContactIterate& at) const;
   double stiffnessOf(const ContactPair& pair) const;
+  double frictionOf(const ContactPair& pair) const {
+    return mesh_.hasBodies() ? mesh_.bodyFriction(pair.faces) : friction_;
+  }
   std::shared_ptr<const Friction> frictionFrom(const ContactIterate& at) const;
   void addFriction(const Positions& x, const Friction& friction, Positions& gradient) const;
   void addFrictionHessian(const Positions& x, const Friction& friction, int first,

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -124,8 +125,33 @@ std::array<double, 4> edgeEdgeWeights(const PairPoints& x) {
 
 }  // namespace
 
+namespace {
+
+/// Part of a face's size below which distances are taken along its normal: rounding of the weights
+/// would tilt the difference by up to 1e-16 over that part.
+constexpr double kNearFace = 1e-6;
+
+/// Replaces the difference by its part along the normal where it is short and the point is across
+/// from the inside of the face, so that the face, however large, lies on one side of the plane
+/// through its closest point.
+ClosestPoints straightened(const PairPoints& x, const ClosestPoints& closest) {
+  const auto& w = closest.weights;
+  if (w[1] == 0 || w[2] == 0 || w[3] == 0) return closest;
+  const Vector3 ab = x[2] - x[1], ac = x[3] - x[1];
+  if (!(closest.distance < kNearFace * ab.norm())) return closest;
+  const Vector3 across = ab.cross(ac);
+  // The normal of a narrow face is no more exact than the difference.
+  if (!(across.squaredNorm() > kNarrow * ab.squaredNorm() * ac.squaredNorm())) return closest;
+  const Vector3 normal = across.normalized();
+  const double along = normal.dot(x[0] - x[1]);
+  return {w, along * normal, std::abs(along)};
+}
+
+}  // namespace
+
 ClosestPoints closestPoints(PairKind kind, const PairPoints& x) {
-  return between(x, kind == PairKind::kVertexFace ? vertexFaceWeights(x) : edgeEdgeWeights(x));
+  if (kind == PairKind::kVertexFace) return straightened(x, between(x, vertexFaceWeights(x)));
+  return between(x, edgeEdgeWeights(x));
 }
 
 namespace {

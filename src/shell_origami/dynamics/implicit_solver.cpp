@@ -15,8 +15,8 @@ void placePrescribed(const StepInput& input, Positions& x) {
 ImplicitSolver::ImplicitSolver(const SolverConfig& config)
     : tolerance_(config.tolerance), max_iterations_(config.max_iterations) {}
 
-void ImplicitSolver::setFree(const std::vector<bool>& free) {
-  newton_.setFree(free);
+void ImplicitSolver::setFree(const std::vector<bool>& free, int first_body) {
+  newton_.setFree(free, first_body);
   newton_.restoreState({});
 }
 

@@ -14,8 +14,8 @@ class ImplicitSolver {
   explicit ImplicitSolver(const SolverConfig& config);
 
   /// Says that the mesh, the potentials or the held vertices changed. `free[v]` is false for held
-  /// vertices.
-  void setFree(const std::vector<bool>& free);
+  /// vertices; those from `first_body` on are of bodies.
+  void setFree(const std::vector<bool>& free, int first_body);
 
   const SolverState& state() const { return newton_.state(); }
   void restoreState(const SolverState& state) { newton_.restoreState(state); }
@@ -36,6 +36,8 @@ class ImplicitSolver {
   }
   /// Whether forces at that x may jump within a step.
   bool rough() const { return newton_.rough(); }
+  /// Returns the forces that the paper at that x puts on the vertices of bodies [N].
+  Positions forcesOnBodies(const Positions& x) { return newton_.forcesOnBodies(x); }
 
  private:
   double tolerance_;

@@ -49,8 +49,9 @@ SolverTimes& SolverTimes::operator-=(const SolverTimes& other) {
   return *this;
 }
 
-void Newton::setFree(const std::vector<bool>& free) {
+void Newton::setFree(const std::vector<bool>& free, int first_body) {
   free_ = free;
+  first_body_ = first_body;
   system_.setFree(free);
   objective_.reset();
 }
@@ -67,8 +68,10 @@ bool Newton::assembleAndFactorize(const Positions& x, HessianKind kind, NewtonRe
   {
     const Timer timer(result.times.assembly);
     system_.setZero();
+    if (arriving_) motion_.forces.setZero(3, x.cols());
     for (std::size_t i = 0; i < stencils.size(); ++i) {
-      objective_.addHessian(i, x, kind, system_.blocks(i));
+      objective_.addHessian(
+          i, x, kind, arriving_ ? system_.blocks(i, *stencils[i], motion_) : system_.blocks(i));
     }
     system_.addToDiagonal(objective_.inertiaStiffness(), objective_.masses());
   }
@@ -95,7 +98,12 @@ void Newton::setHeldZero(Positions& gradient) const {
 /// Computes the factor's step down the gradient into step_, and its largest displacement [m].
 bool Newton::solve(NewtonResult& result) {
   const Timer timer(result.times.solve);
-  if (!system_.solve(gradient_, step_)) return false;
+  if (arriving_) {
+    if (!system_.solve(gradient_ + motion_.forces, step_)) return false;
+    step_.rightCols(bodies_.cols()) = motion_.displacements.rightCols(bodies_.cols());
+  } else if (!system_.solve(gradient_, step_)) {
+    return false;
+  }
   result.last_step = std::sqrt(step_.colwise().squaredNorm().maxCoeff(&result.vertex));
   return true;
 }
@@ -113,7 +121,7 @@ bool Newton::computeStep(const Positions& x, NewtonResult& result) {
   if (!std::isfinite(result.gradient_norm)) return false;
   step_.setZero(3, x.cols());
   const double before = result.last_step;
-  const bool old = factorized_;
+  const bool old = factorized_ && !arriving_;
   if (!old && !factorize(x, result)) return false;
   if (!solve(result)) return false;
   if (old && result.iterations == 2) state_.contraction = result.last_step / before;
@@ -139,7 +147,7 @@ double Newton::avoidImpacts(const Positions& x, double part, NewtonResult& resul
   const bool solved = factorize(x, result) && solve(result);
   gradient_.swap(anticipated_);
   factorized_ = false;  // the factor is that of the impacts as well
-  if (solved && gradient_.cwiseProduct(step_).sum() < 0) {
+  if (solved && (arriving_ || gradient_.cwiseProduct(step_).sum() < 0)) {
     return objective_.maxFeasibleStep(x, step_);
   }
   step_ = blocked_;
@@ -152,7 +160,7 @@ double Newton::avoidImpacts(const Positions& x, double part, NewtonResult& resul
 /// last looked at (Hairer & Wanner, Solving Ordinary Differential Equations II, section IV.8).
 bool Newton::isClose(const NewtonResult& result, double tolerance) {
   if (result.last_step <= tolerance) return true;
-  const bool expected = result.iterations == 1 && state_.unchecked < kUnchecked &&
+  const bool expected = !arriving_ && result.iterations == 1 && state_.unchecked < kUnchecked &&
                         kSafety * state_.contraction * result.last_step <= tolerance;
   state_.unchecked = expected ? state_.unchecked + 1 : 0;
   return expected;
@@ -185,12 +193,50 @@ double Newton::potentialChange(const Positions& before, const Positions& x) {
   return objective_.potentialChange(before, x);
 }
 
+/// Says whether bodies have still to move from x, and where to.
+bool Newton::findArriving(const Positions& x) {
+  const auto count = bodies_.cols();
+  if (count == 0 || bodies_ == x.rightCols(count)) return false;
+  motion_.displacements.setZero(3, x.cols());
+  motion_.displacements.rightCols(count) = bodies_ - x.rightCols(count);
+  return true;
+}
+
+/// Takes the step that is permitted, with the bodies. Returns false where there is none.
+bool Newton::advanceBodies(Positions& x) {
+  const auto count = bodies_.cols();
+  const bool whole = step_.rightCols(count) == motion_.displacements.rightCols(count);
+  factorized_ = false;
+  for (int i = 0; i < kHalvings; ++i, step_ /= 2) {
+    trial_ = x + step_;
+    if (whole && i == 0) trial_.rightCols(count) = bodies_;
+    if (!std::isfinite(objective_.tryFromCurrent(trial_))) continue;
+    objective_.accept(x, step_);
+    x.swap(trial_);
+    return true;
+  }
+  return false;
+}
+
+Positions Newton::forcesOnBodies(const Positions& x) {
+  objective_.potentialGradient(x, gradient_);
+  return -gradient_.rightCols(bodies_.cols());
+}
+
 /// Begins at x, or, where potentials stopped some vertices on the way there and so stretched the
 /// paper, where it was before, if that is lower.
 bool Newton::begin(const Positions& before, Positions& x) {
   trial_ = x;
-  const bool reached = objective_.begin(before, x);
+  bodies_ = x.rightCols(x.cols() - first_body_);
+  bool reached = objective_.begin(before, x);
   if (reached && trial_ == x) return true;
+  if (bodies_ != before.rightCols(bodies_.cols())) {
+    // Paper is in the way of bodies: they begin where they were.
+    trial_.rightCols(bodies_.cols()) = before.rightCols(bodies_.cols());
+    x = trial_;
+    reached = objective_.begin(before, x);
+    if (reached && trial_ == x) return true;
+  }
   const double value = reached ? objective_.value() : std::numeric_limits<double>::infinity();
   base_.x = before;
   for (std::size_t v = 0; v < free_.size(); ++v) {
@@ -218,7 +264,8 @@ NewtonResult Newton::minimize(const Potentials& potentials, const Eigen::VectorX
       return result;
     }
   }
-  result.converged = !system_.hasUnknowns();
+  arriving_ = findArriving(x);
+  result.converged = !system_.hasUnknowns() && !arriving_;
   bool uphill = false;  // x is one step beyond the base, and higher
   while (!result.converged) {
     if (result.iterations == max_iterations) {
@@ -231,6 +278,14 @@ NewtonResult Newton::minimize(const Potentials& potentials, const Eigen::VectorX
       return result;
     }
     const Timer timer(result.times.search);
+    if (arriving_) {
+      if (!advanceBodies(x)) {
+        result.failure = "a body does not get past the paper";
+        return result;
+      }
+      arriving_ = findArriving(x);
+      continue;
+    }
     if (!uphill) remember(x);
     const bool close = isClose(result, tolerance);
     trial_ = x + step_;

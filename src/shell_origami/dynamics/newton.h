@@ -54,11 +54,15 @@ struct NewtonResult {
 /// - A step that runs into something is computed again with a spring at each impact
 ///   (Potential::anticipate). Paper that meets paper in a hundred places would otherwise be stopped
 ///   at each of them in turn.
+/// - Bodies that paper is in the way of come along with the steps, which push the paper ahead:
+/// their
+///   motion is on the right-hand side of the system. Until they have arrived there is no minimum to
+///   fall to, and steps are taken as far as they are permitted.
 class Newton {
  public:
   /// Says that the mesh, the potentials or the held vertices changed. `free[v]` is false for held
-  /// vertices.
-  void setFree(const std::vector<bool>& free);
+  /// vertices; those from `first_body` on are of bodies.
+  void setFree(const std::vector<bool>& free, int first_body);
 
   const SolverState& state() const { return state_; }
   void restoreState(const SolverState& state) { state_ = state; }
@@ -69,7 +73,8 @@ class Newton {
 
   /// Moves x from where it starts to the minimum of the potentials and the inertia, within
   /// `tolerance` [m]. Every step is one that all potentials permit, and so is the way to the start
-  /// from `before`, where the paper was last in equilibrium. Held vertices stay.
+  /// from `before`, where the paper was last in equilibrium. Held vertices stay where they start,
+  /// and bodies arrive there.
   NewtonResult minimize(const Potentials& potentials, const Eigen::VectorXd& masses,
                         const Inertia& inertia, const Positions& before, double tolerance,
                         int max_iterations, Positions& x);
@@ -79,6 +84,8 @@ class Newton {
   double potentialChange(const Positions& before, const Positions& x);
   /// Whether forces at that minimum may jump within a step.
   bool rough() const { return objective_.rough(); }
+  /// Returns the forces that the paper at x, that minimum, puts on the vertices of bodies [N].
+  Positions forcesOnBodies(const Positions& x);
 
  private:
   /// Where a search along a step begins.
@@ -89,6 +96,8 @@ class Newton {
   };
 
   bool begin(const Positions& before, Positions& x);
+  bool findArriving(const Positions& x);
+  bool advanceBodies(Positions& x);
   bool assembleAndFactorize(const Positions& x, HessianKind kind, NewtonResult& result);
   bool factorize(const Positions& x, NewtonResult& result);
   bool solve(NewtonResult& result);
@@ -100,9 +109,13 @@ class Newton {
   void remember(const Positions& x);
 
   std::vector<bool> free_;
+  int first_body_ = 0;
   Objective objective_;
   StencilSystem system_;
   bool factorized_ = false;  ///< whether there is a factor of this solve
+  bool arriving_ = false;    ///< whether bodies are not yet where they are to be
+  Positions bodies_;         ///< where that is
+  PrescribedMotion motion_;  ///< their way from x to there
   SolverState state_;
   // Scratch, kept between iterations and steps.
   Base base_;

@@ -69,6 +69,11 @@ void Objective::gradient(const Positions& x, Positions& gradient) {
   gradientAt(x, &Term::current, gradient);
 }
 
+void Objective::potentialGradient(const Positions& x, Positions& gradient) {
+  gradient.setZero(3, x.cols());
+  for (Term& term : terms_) term.potential->addGradient(x, *term.current, gradient);
+}
+
 void Objective::gradientAt(const Positions& x, Place at, Positions& gradient) {
   if (inertia_) {
     gradient = inertia_->stiffness * (x - inertia_->anchor) * masses_->asDiagonal();

@@ -6,8 +6,6 @@
 namespace shell_origami {
 namespace {
 
-/// Largest number of times that a step is divided in two.
-constexpr int kDeepest = 10;
 /// Viscous steps of a relaxation: factors of their length after success and failure; the length, in
 /// time steps, from which no motion means equilibrium, and its bounds; and their largest number.
 constexpr double kGrowth = 2, kShrink = 0.25;
@@ -30,9 +28,9 @@ Stepper::Stepper(const SolverConfig& config)
       integrator_(makeIntegrator(config, *solver_)),
       retry_(makeIntegrator(retryConfig(config), *solver_)) {}
 
-void Stepper::setFree(std::vector<bool> free) {
+void Stepper::setFree(std::vector<bool> free, int body_vertices) {
   free_ = std::move(free);
-  solver_->setFree(free_);
+  solver_->setFree(free_, static_cast<int>(free_.size()) - body_vertices);
 }
 
 /// Takes the part of the whole step between the fractions `from` and `to`.
@@ -48,7 +46,7 @@ bool Stepper::take(Integrator& integrator, const Whole& whole, double from, doub
 bool Stepper::stepInParts(const Whole& whole, double from, double to, int depth, Motion& motion,
                           StepReport& report) {
   if (take(*retry_, whole, from, to, motion, report)) return true;
-  if (depth == kDeepest) return false;
+  if (depth >= whole.conditions.mostDivisions()) return false;
   ++report.retries;
   const double middle = (from + to) / 2;
   return stepInParts(whole, from, middle, depth + 1, motion, report) &&

@@ -19,6 +19,10 @@ class BoundaryConditions {
   virtual void applyAt(double s, Positions& prescribed) = 0;
   /// Whether nothing changes within the step, so that no work is done on the paper.
   virtual bool constant() const = 0;
+  /// How often a step that fails may be divided in two.
+  virtual int mostDivisions() const { return kMostDivisions; }
+
+  static constexpr int kMostDivisions = 10;
 };
 
 class Stepper {
@@ -26,8 +30,9 @@ class Stepper {
   explicit Stepper(const SolverConfig& config);
 
   /// To be called when the mesh, the potentials or the held vertices have changed. `free[v]` is
-  /// false for held vertices.
-  void setFree(std::vector<bool> free);
+  /// false for held vertices. The last `body_vertices` are of rigid bodies, which are not free
+  /// either: where paper is in their way they push it ahead.
+  void setFree(std::vector<bool> free, int body_vertices = 0);
 
   /// The state that a step passes on to the next, with which another stepper can continue.
   const SolverState& state() const { return solver_->state(); }
@@ -40,7 +45,8 @@ class Stepper {
 
   /// Advances `motion` by one time step. `masses` [kg] are lumped, one for each vertex;
   /// `air_damping` [1/s] is mass-proportional. A step that fails is divided in two down to
-  /// time_step / 1024; if that fails as well, `motion` is unchanged and the report says why.
+  /// time_step / 1024, or as far as the conditions say; if that fails as well, `motion` is
+  /// unchanged and the report says why.
   StepReport step(const Potentials& potentials, const Eigen::VectorXd& masses, double air_damping,
                   BoundaryConditions& conditions, Motion& motion);
 
@@ -50,6 +56,12 @@ class Stepper {
   /// `motion` is unchanged and the report says so.
   StepReport relax(const Potentials& potentials, const Eigen::VectorXd& masses,
                    const std::function<void(const Positions&)>& adapt, Motion& motion);
+
+  /// Returns the forces that the paper puts on the vertices of bodies [N] where the last step or
+  /// relaxation, by an implicit scheme, put it; friction included. \pre it converged
+  Positions forcesOnBodies(const Motion& motion) {
+    return solver_->forcesOnBodies(motion.positions);
+  }
 
  private:
   /// The arguments of a step.

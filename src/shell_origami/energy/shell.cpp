@@ -134,7 +134,7 @@ double Shell::bendingEnergy(const Positions& x, const RestState& rest) const {
 }
 
 double Shell::gravityEnergy(const Positions& x, const Vector3& gravity) const {
-  return 0 - gravity.dot(x * masses_);
+  return 0 - gravity.dot(x.leftCols(masses_.size()) * masses_);
 }
 
 double Shell::foldAngle(int hinge, const Positions& x) const {

@@ -41,7 +41,7 @@ std::optional<Infeasibility> ShellPotential::findInfeasibility(const Positions& 
 
 void ShellPotential::addGradient(const Positions& x, Iterate& at, Positions& gradient) const {
   shell_.angleGradients(x, of(at).angle_gradients);
-  gradient.noalias() -= gravity * shell_.masses().transpose();
+  gradient.leftCols(shell_.masses().size()).noalias() -= gravity * shell_.masses().transpose();
   shell_.addGradient(x, rest, of(at).angles, of(at).angle_gradients, gradient);
 }
 

@@ -61,11 +61,25 @@ class BlockTargets {
   std::vector<Target> targets_;
 };
 
+/// What the blocks of vertices that are no unknowns are multiplied by: H_fp d_p, the forces to
+/// first order on the unknowns where prescribed vertices are displaced.
+struct PrescribedMotion {
+  Eigen::Matrix3Xd displacements;  ///< one column a vertex, zero where it does not move [m]
+  Eigen::Matrix3Xd forces;         ///< of all vertices, those of prescribed ones unused [N]
+};
+
 /// Adds the Hessian blocks of one list of stencils to a matrix.
 class HessianBlocks {
  public:
   HessianBlocks(BlockMatrix& matrix, const BlockTargets& targets)
       : values_(matrix.values_.data()), targets_(targets) {}
+  /// Multiplies the blocks by a motion as well, which must live as long.
+  HessianBlocks(BlockMatrix& matrix, const BlockTargets& targets, const Stencils& stencils,
+                PrescribedMotion& motion)
+      : HessianBlocks(matrix, targets) {
+    stencils_ = &stencils;
+    motion_ = &motion;
+  }
 
   /// Adds the block of a stencil: three rows and columns for each of its vertices.
   template <int Size>
@@ -73,6 +87,7 @@ class HessianBlocks {
     forEachColumn(stencil, [&](const BlockTargets::Target& target, int c, double* column) {
       for (int r = 0; r < 3; ++r) column[r] += block(3 * target.row + r, 3 * target.column + c);
     });
+    if (motion_) addForces(stencil, block);
   }
   /// Adds factor * vector * vector^T.
   template <int Size>
@@ -81,6 +96,9 @@ class HessianBlocks {
       const double scaled = factor * vector[3 * target.column + c];
       for (int r = 0; r < 3; ++r) column[r] += scaled * vector[3 * target.row + r];
     });
+    if (motion_) {
+      addForces(stencil, Eigen::Matrix<double, Size, Size>(factor * vector * vector.transpose()));
+    }
   }
 
  private:
@@ -92,8 +110,22 @@ class HessianBlocks {
     }
   }
 
+  template <int Size>
+  void addForces(int stencil, const Eigen::Matrix<double, Size, Size>& block) {
+    const int* vertices = stencils_->begin(stencil);
+    for (int j = 0; j < Size / 3; ++j) {
+      const auto displacement = motion_->displacements.col(vertices[j]);
+      if (displacement.isZero(0)) continue;
+      for (int i = 0; i < Size / 3; ++i) {
+        motion_->forces.col(vertices[i]) += block.template block<3, 3>(3 * i, 3 * j) * displacement;
+      }
+    }
+  }
+
   double* values_;
   const BlockTargets& targets_;
+  const Stencils* stencils_ = nullptr;
+  PrescribedMotion* motion_ = nullptr;
 };
 
 }  // namespace shell_origami

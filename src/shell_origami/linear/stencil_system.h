@@ -36,6 +36,10 @@ class StencilSystem {
   void setZero() { matrix_.setZero(); }
   /// Adds the blocks of the list at this place in prepare()'s argument.
   HessianBlocks blocks(std::size_t list) { return {matrix_, targets_[list].targets}; }
+  /// As well multiplies those of `stencils`, which is that list, by a motion.
+  HessianBlocks blocks(std::size_t list, const Stencils& stencils, PrescribedMotion& motion) {
+    return {matrix_, targets_[list].targets, stencils, motion};
+  }
   /// Adds factor * weights[v] times the identity to the diagonal block of every unknown vertex.
   void addToDiagonal(double factor, const Eigen::VectorXd& weights);
 

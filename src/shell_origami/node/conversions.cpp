@@ -54,6 +54,31 @@ void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives) {
   reject("give exactly one of ", all, ": the request gives ", count ? given : "none of them");
 }
 
+std::vector<msg::Obstacle> obstacleMessages(const Simulation& simulation) {
+  std::vector<msg::Obstacle> messages;
+  const std::vector<Body> bodies = simulation.obstacles().bodies(0);
+  auto body = bodies.begin();
+  for (const auto& [id, obstacle] : simulation.obstacles().all()) {
+    const Surface& surface = *(body++)->surface;
+    msg::Obstacle message;
+    message.id = id;
+    message.half_space = surface.half_space;
+    messages.push_back(message);
+    if (surface.half_space) continue;
+    shape_msgs::Mesh& mesh = messages.back().mesh;
+    for (Eigen::Index v = 0; v < surface.vertices.cols(); ++v) {
+      mesh.vertices.push_back(pointMessage(surface.vertices.col(v)));
+    }
+    for (const Triangle& t : surface.faces) {
+      mesh.triangles.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        mesh.triangles.back().vertex_indices[k] = static_cast<std::uint32_t>(t[k]);
+      }
+    }
+  }
+  return messages;
+}
+
 msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header) {
   const Sheet& sheet = session.simulation().sheet();
   msg::Sheet message;
@@ -75,6 +100,7 @@ msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header) 
     entry.vertices = vertexIds(crease.vertices);
     message.creases.push_back(entry);
   }
+  message.obstacles = obstacleMessages(session.simulation());
   message.ground =
       static_cast<float>(groundBelow(session.original().motion.positions, sheetSize(message)));
   return message;
@@ -108,6 +134,14 @@ msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs
   }
   message.creases = creaseStates(simulation);
   message.pinned.assign(simulation.pinned().begin(), simulation.pinned().end());
+  for (const auto& [id, grasp] : simulation.grasps().all()) {
+    for (const auto& [v, vertex] : grasp.vertices) {
+      message.grasped.push_back(static_cast<std::uint32_t>(v));
+    }
+  }
+  for (const auto& [id, obstacle] : simulation.obstacles().all()) {
+    message.obstacles.push_back(poseMessage(obstacle.pose()));
+  }
   message.settled = simulation.settled();
   message.paused = paused;
   message.max_strain = static_cast<float>(simulation.maxStrain());

@@ -18,6 +18,8 @@
 
 namespace shell_origami {
 
+/// The obstacles as viewers draw them.
+std::vector<msg::Obstacle> obstacleMessages(const Simulation& simulation);
 msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header);
 std::vector<msg::CreaseState> creaseStates(const Simulation& simulation);
 msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs::Header& header);

@@ -84,6 +84,9 @@ void Diagnostics::paper(Status& status) {
   if (overstretched) {
     status.summaryf(DiagnosticStatus::WARN, "stretched by %.1f %%, further than paper bears",
                     100 * strain);
+  } else if (const auto& stopped = simulation.stopped()) {
+    status.summaryf(DiagnosticStatus::WARN, "obstacle %s is %s by the paper",
+                    stopped->ids.front().c_str(), stopped->pace == 0 ? "stopped" : "slowed");
   } else if (const auto& blocked = simulation.blocked()) {
     status.summaryf(DiagnosticStatus::WARN,
                     "frame %s is held up: vertex %d meets the paper at vertex %d",

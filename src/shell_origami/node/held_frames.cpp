@@ -28,11 +28,11 @@ Pose poseOf(const geometry_msgs::TransformStamped& transform) {
   return {{p.x, p.y, p.z}, Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized()};
 }
 
-/// How far any of the grip's vertices is from where a pose puts it [m].
-double distanceTo(const Pose& pose, const Grip& grip) {
+/// How far anything that the frame carries is from where a pose puts it [m].
+double distanceTo(const Pose& pose, const CarriedFrame& carried) {
   double farthest = 0;
-  for (const auto& [v, place] : grip.places) {
-    farthest = std::max(farthest, (pose.toWorld(place) - grip.pose.toWorld(place)).norm());
+  for (const Vector3& place : carried.places) {
+    farthest = std::max(farthest, (pose.toWorld(place) - carried.pose.toWorld(place)).norm());
   }
   return farthest;
 }
@@ -57,31 +57,55 @@ void HeldFrames::requireForeign(const std::string& frame) const {
   }
 }
 
-EditRecord HeldFrames::pin(const PinWhere& where, const std::string& frame) {
+template <class MakeEdit>
+EditRecord HeldFrames::begin(const std::string& frame, const MakeEdit& edit) {
   requireForeign(frame);
   std_msgs::Header latest;
   latest.frame_id = frame;
   const geometry_msgs::TransformStamped transform =
       transformToWorld("frame_id is", latest, origami_.config().world_frame, tf_);
-  const bool follows = origami_.session().simulation().held().grips().count(frame) > 0;
-  EditRecord record = origami_.apply(PinEdit{where, frame, poseOf(transform)});
+  const bool follows = origami_.session().simulation().carriedFrames().count(frame) > 0;
+  EditRecord record = origami_.apply(edit(poseOf(transform)));
   if (!follows) followers_[frame] = {transform.header.stamp, 0};
   return record;
 }
 
+EditRecord HeldFrames::pin(const PinWhere& where, const std::string& frame) {
+  return begin(frame, [&](const Pose& pose) { return PinEdit{where, frame, pose}; });
+}
+
+EditRecord HeldFrames::grasp(const GraspEdit& grasp, const std::string& frame) {
+  return begin(frame, [&](const Pose& pose) {
+    GraspEdit carried = grasp;
+    carried.frame = frame;
+    carried.pose = pose;
+    return carried;
+  });
+}
+
+EditRecord HeldFrames::add(const AddObstacleEdit& obstacle, const std::string& frame) {
+  return begin(frame, [&](const Pose& pose) {
+    AddObstacleEdit carried = obstacle;
+    carried.frame = frame;
+    carried.frame_pose = pose;
+    return carried;
+  });
+}
+
 void HeldFrames::carry(double time_step, const ros::Time& end) {
-  const auto& grips = origami_.session().simulation().held().grips();
+  const std::map<std::string, CarriedFrame> frames =
+      origami_.session().simulation().carriedFrames();
   for (auto follower = followers_.begin(); follower != followers_.end();) {
-    follower = grips.count(follower->first) ? std::next(follower) : followers_.erase(follower);
+    follower = frames.count(follower->first) ? std::next(follower) : followers_.erase(follower);
   }
-  for (const auto& [frame, grip] : grips) carry(frame, grip, time_step, end);
+  for (const auto& [frame, carried] : frames) carry(frame, carried, time_step, end);
 }
 
-void HeldFrames::moveTo(const Pose& pose, const std::string& frame, const Grip& grip) {
-  if (!(grip.next == pose)) origami_.apply(CarryEdit{frame, pose});
+void HeldFrames::moveTo(const Pose& pose, const std::string& frame, const CarriedFrame& carried) {
+  if (!(carried.next == pose)) origami_.apply(CarryEdit{frame, pose});
 }
 
-void HeldFrames::carry(const std::string& frame, const Grip& grip, double time_step,
+void HeldFrames::carry(const std::string& frame, const CarriedFrame& carried, double time_step,
                        const ros::Time& end) {
   try {
     const ros::Time latest = lookUp(frame, ros::Time(0)).header.stamp;
@@ -100,15 +124,15 @@ void HeldFrames::carry(const std::string& frame, const Grip& grip, double time_s
     follower.played = std::min(follower.played, latest);
 
     Pose pose = poseOf(lookUp(frame, follower.played));
-    const double distance = distanceTo(pose, grip);
+    const double distance = distanceTo(pose, carried);
     if (distance > kFastest * time_step) {
       ROS_WARN_THROTTLE(kFrameWarnPeriod, "frame %s jumped by %.3f m: the paper follows at %g m/s",
                         frame.c_str(), distance, kFastest);
-      pose = poseBetween(grip.pose, pose, kFastest * time_step / distance);
+      pose = poseBetween(carried.pose, pose, kFastest * time_step / distance);
     }
-    moveTo(pose, frame, grip);
+    moveTo(pose, frame, carried);
   } catch (const std::exception& error) {
-    moveTo(grip.pose, frame, grip);
+    moveTo(carried.pose, frame, carried);
     ROS_WARN_THROTTLE(kFrameWarnPeriod, "frame %s is lost, and the paper waits: %s", frame.c_str(),
                       error.what());
   }

@@ -29,6 +29,10 @@ class HeldFrames {
   /// Lets a frame hold vertices from now on. \throws std::invalid_argument when TF does not know
   /// where it is, or it is the paper's own.
   EditRecord pin(const PinWhere& where, const std::string& frame);
+  /// Lets a frame carry a grasp. \throws as pin()
+  EditRecord grasp(const GraspEdit& grasp, const std::string& frame);
+  /// Adds an obstacle that a frame carries. \throws as pin()
+  EditRecord add(const AddObstacleEdit& obstacle, const std::string& frame);
 
  private:
   struct Follower {
@@ -36,9 +40,12 @@ class HeldFrames {
     double behind = 0;  ///< how late news come [s]
   };
 
+  template <class MakeEdit>
+  EditRecord begin(const std::string& frame, const MakeEdit& edit);
   void carry(double time_step, const ros::Time& end);
-  void carry(const std::string& frame, const Grip& grip, double time_step, const ros::Time& end);
-  void moveTo(const Pose& pose, const std::string& frame, const Grip& grip);
+  void carry(const std::string& frame, const CarriedFrame& carried, double time_step,
+             const ros::Time& end);
+  void moveTo(const Pose& pose, const std::string& frame, const CarriedFrame& carried);
   geometry_msgs::TransformStamped lookUp(const std::string& frame, const ros::Time& time) const;
 
   OrigamiNode& origami_;

@@ -15,6 +15,9 @@
 #define View ViewMessage
 #define Landmark LandmarkMessage
 #define FoldThrough FoldThroughService
+#define Obstacle ObstacleMessage
+#define Grasp GraspService
+#include <shell_origami/AddObstacle.h>
 #include <shell_origami/AddVertex.h>
 #include <shell_origami/ContactPoint.h>
 #include <shell_origami/Edit.h>
@@ -23,11 +26,15 @@
 #include <shell_origami/Fold.h>
 #include <shell_origami/FoldRecipeAction.h>
 #include <shell_origami/FoldThrough.h>
+#include <shell_origami/Grasp.h>
 #include <shell_origami/Landmark.h>
 #include <shell_origami/Layers.h>
 #include <shell_origami/Load.h>
+#include <shell_origami/Obstacle.h>
 #include <shell_origami/Picked.h>
 #include <shell_origami/Pin.h>
+#include <shell_origami/Release.h>
+#include <shell_origami/RemoveObstacle.h>
 #include <shell_origami/Save.h>
 #include <shell_origami/Sheet.h>
 #include <shell_origami/SheetState.h>
@@ -35,6 +42,8 @@
 #include <shell_origami/Undo.h>
 #include <shell_origami/Unpin.h>
 #include <shell_origami/View.h>
+#undef Grasp
+#undef Obstacle
 #undef FoldThrough
 #undef Landmark
 #undef View
@@ -48,6 +57,7 @@ namespace msg {
 using Crease = CreaseMessage;
 using Edit = EditMessage;
 using Landmark = LandmarkMessage;
+using Obstacle = ObstacleMessage;
 using Sheet = SheetMessage;
 using View = ViewMessage;
 using ::shell_origami::ContactPoint;
@@ -61,12 +71,16 @@ using ::shell_origami::FoldRecipeResult;
 using ::shell_origami::Picked;
 using ::shell_origami::SheetState;
 
+using ::shell_origami::AddObstacle;
 using ::shell_origami::AddVertex;
 using ::shell_origami::Fold;
 using FoldThrough = FoldThroughService;
+using Grasp = GraspService;
 using ::shell_origami::Layers;
 using ::shell_origami::Load;
 using ::shell_origami::Pin;
+using ::shell_origami::Release;
+using ::shell_origami::RemoveObstacle;
 using ::shell_origami::Save;
 using ::shell_origami::Step;
 using ::shell_origami::Undo;

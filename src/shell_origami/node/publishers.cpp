@@ -43,7 +43,8 @@ bool Publishers::recorded() const {
 
 void Publishers::publish(const Session& session, bool paused, const StepReport& step,
                          double real_time_factor, const ros::Time& stamp) {
-  if (revision_ != session.revision()) publishSheet(session, stamp);
+  const bool same_obstacles = obstacles_.sameShapes(session.simulation().obstacles());
+  if (revision_ != session.revision() || !same_obstacles) publishSheet(session, stamp);
   const bool draw = markers_.heard();
   if (draw || state_.getNumSubscribers() > 0) {
     msg::SheetState state = stateMessage(session, paused, header(stamp));
@@ -58,6 +59,7 @@ void Publishers::publish(const Session& session, bool paused, const StepReport& 
     energy_.publish(energyMessage(session, step, real_time_factor, header(stamp)));
   }
   publishWrenches(session, stamp);
+  publishNamedWrenches(session.simulation(), stamp);
   publishFrames(session, stamp);
 }
 
@@ -67,6 +69,7 @@ void Publishers::publishSheet(const Session& session, const ros::Time& stamp) {
   markers_.setSheet(message);
   panels_ = findPanels(session.simulation().sheet());
   revision_ = session.revision();
+  obstacles_ = session.simulation().obstacles();
 }
 
 void Publishers::publishFrames(const Session& session, const ros::Time& stamp) {
@@ -111,6 +114,32 @@ void Publishers::publishWrenches(const Session& session, const ros::Time& stamp)
     if (!frame.empty()) message.header.frame_id = frame;
     message.wrench = wrenchMessage(wrench);
     wrenches_.at(message.header.frame_id).publish(message);
+  }
+}
+
+/// Those of obstacles and grasps, in the frames that carry them.
+void Publishers::publishNamedWrenches(const Simulation& simulation, const ros::Time& stamp) {
+  std::map<std::string, std::string> frames;
+  for (const auto& [id, obstacle] : simulation.obstacles().all()) frames[id] = obstacle.frame;
+  for (const auto& [id, grasp] : simulation.grasps().all()) frames[id] = grasp.frame;
+  for (auto topic = named_wrenches_.begin(); topic != named_wrenches_.end();) {
+    topic = frames.count(topic->first) ? std::next(topic) : named_wrenches_.erase(topic);
+  }
+  bool heard = false;
+  for (const auto& [id, frame] : frames) {
+    ros::Publisher& topic = named_wrenches_[id];
+    if (!topic) topic = node_.advertise<geometry_msgs::WrenchStamped>("wrench/" + id, 100);
+    heard = heard || topic.getNumSubscribers() > 0;
+  }
+  if (!heard) return;
+  std::map<std::string, Wrench> wrenches = simulation.obstacleWrenches();
+  wrenches.merge(simulation.graspWrenches());
+  for (const auto& [id, wrench] : wrenches) {
+    geometry_msgs::WrenchStamped message;
+    message.header = header(stamp);
+    if (!frames.at(id).empty()) message.header.frame_id = frames.at(id);
+    message.wrench = wrenchMessage(wrench);
+    named_wrenches_.at(id).publish(message);
   }
 }
 

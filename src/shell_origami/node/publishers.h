@@ -51,10 +51,12 @@ class Publishers {
   void publishSheet(const Session& session, const ros::Time& stamp);
   void publishFrames(const Session& session, const ros::Time& stamp);
   void publishWrenches(const Session& session, const ros::Time& stamp);
+  void publishNamedWrenches(const Simulation& simulation, const ros::Time& stamp);
   void advertiseWrench(const std::string& frame);
 
   std::string world_frame_, frame_prefix_;
   std::optional<std::uint32_t> revision_;  ///< of the sheet last published
+  Obstacles obstacles_;                    ///< that were published with it
   std::vector<Panel> panels_;              ///< of that sheet
   CameraTarget camera_target_;
   std::optional<View> published_view_;
@@ -69,6 +71,7 @@ class Publishers {
   ros::Publisher view_;
   ros::NodeHandle node_;
   std::map<std::string, ros::Publisher> wrenches_;  ///< by the names of frames that hold paper
+  std::map<std::string, ros::Publisher> named_wrenches_;  ///< of obstacles and grasps
   tf2_ros::TransformBroadcaster broadcaster_;
 };
 

@@ -3,18 +3,15 @@
 #include <shell_origami/base/error.h>
 #include <shell_origami/base/files.h>
 #include <shell_origami/node/conversions.h>
-#include <shell_origami/node/message_text.h>
+#include <shell_origami/node/request_answer.h>
 #include <shell_origami/node/tf_utilities.h>
 #include <shell_origami/origami/layer_stack.h>
 #include <shell_origami/origami/recipe_writer.h>
 #include <shell_origami/origami/report.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -26,30 +23,6 @@ constexpr std::uint32_t kMostSteps = 100000;
 constexpr std::uint32_t kWaitingThreads = 16;
 /// How long a request waits for a frame that TF does not know yet [s], and how often it looks.
 constexpr double kFrameWait = 0.5, kFrameLook = 0.01;
-/// How often a waiting request looks whether the node ends.
-constexpr std::chrono::milliseconds kEndLook{20};
-
-/// Answers with the message that the action returns, or with that of its error.
-template <class Response, class Action>
-bool answer(const char* service, Response& response, Action action) {
-  try {
-    response.message = asMessageText(action());
-    response.success = true;
-    ROS_INFO("%s: %s", service, response.message.c_str());
-  } catch (const std::exception& error) {
-    response = Response();
-    response.message = asMessageText(error.what());
-    ROS_WARN("%s refused: %s", service, response.message.c_str());
-  }
-  return true;
-}
-
-std::string count(std::size_t number, const std::string& one, const std::string& many) {
-  return std::to_string(number) + " " + (number == 1 ? one : many);
-}
-
-std::string vertexCount(std::size_t number) { return count(number, "vertex", "vertices"); }
-
 /// Where a crease rests that is folded to this angle [rad].
 std::string restAngle(double angle) {
   const double rest = std::clamp(angle, -kLargestRestAngle, kLargestRestAngle);
@@ -88,22 +61,6 @@ std::string filePath(const std::string& path) {
 
 }  // namespace
 
-template <class Result>
-Result Services::wait(std::future<Result> result) const {
-  while (result.wait_for(kEndLook) != std::future_status::ready) {
-    if (ending_ || ros::isShuttingDown()) throw std::runtime_error("the node ends");
-  }
-  return result.get();
-}
-
-template <class Function>
-auto Services::inNodeThread(Function function) {
-  const auto task = std::make_shared<std::packaged_task<decltype(function())()>>(function);
-  auto result = task->get_future();
-  callInNodeThread([task] { (*task)(); });
-  return wait(std::move(result));
-}
-
 Services::Services(ros::NodeHandle& node, OrigamiNode& origami, HeldFrames& held_frames,
                    const tf2_ros::Buffer& tf)
     : origami_(origami), held_frames_(held_frames), tf_(tf), spinner_(kWaitingThreads, &queue_) {
@@ -116,7 +73,11 @@ Services::Services(ros::NodeHandle& node, OrigamiNode& origami, HeldFrames& held
       node.advertiseService("turn_over", &Services::turnOver, this),
       waiting.advertiseService("pin", &Services::pin, this),
       node.advertiseService("unpin", &Services::unpin, this),
+      waiting.advertiseService("grasp", &Services::grasp, this),
+      node.advertiseService("release", &Services::release, this),
       node.advertiseService("add_vertex", &Services::addVertex, this),
+      waiting.advertiseService("add_obstacle", &Services::addObstacle, this),
+      node.advertiseService("remove_obstacle", &Services::removeObstacle, this),
       waiting.advertiseService("load", &Services::load, this),
       node.advertiseService("save", &Services::save, this),
       waiting.advertiseService("step", &Services::step, this),
@@ -227,41 +188,6 @@ bool Services::turnOver(std_srvs::Trigger::Request&, std_srvs::Trigger::Response
   return answer("turn_over", response, [&] {
     origami_.turnOver();
     return std::string("the other side of the paper is looked at from now on");
-  });
-}
-
-bool Services::pin(msg::Pin::Request& request, msg::Pin::Response& response) {
-  return answer("pin", response, [&] {
-    const std::string& world = origami_.config().world_frame;
-    const bool carried = !request.frame_id.empty() && request.frame_id != world;
-    if (carried) {
-      held_frames_.requireForeign(request.frame_id);
-      waitForFrame(request.frame_id);
-    }
-    PinWhere where = pinWhere(request);
-    if (std::holds_alternative<Ball>(where)) waitForFrame(request.center.header.frame_id);
-    const EditRecord pin = inNodeThread([this, carried, where, header = request.center.header,
-                                         frame = request.frame_id, world]() mutable {
-      if (auto* ball = std::get_if<Ball>(&where)) {
-        ball->center = toWorld("center", ball->center, header, world, tf_);
-      }
-      return carried ? held_frames_.pin(where, frame) : origami_.apply(PinEdit{where});
-    });
-    response.vertices = vertexIds(pin.vertices);
-    response.edit = pin.number;
-    return "holding " + vertexCount(pin.vertices.size()) +
-           (carried ? " by frame " + request.frame_id : "");
-  });
-}
-
-bool Services::unpin(msg::Unpin::Request& request, msg::Unpin::Response& response) {
-  return answer("unpin", response, [&] {
-    UnpinEdit edit;
-    if (!request.vertices.empty()) edit.where = vertexIds(request.vertices);
-    const EditRecord unpin = origami_.apply(edit);
-    response.vertices = vertexIds(unpin.vertices);
-    response.edit = unpin.number;
-    return "let go of " + vertexCount(unpin.vertices.size());
   });
 }
 

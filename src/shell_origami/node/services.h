@@ -20,8 +20,8 @@
 namespace shell_origami {
 
 /// Most are answered in the node's own thread. Those that may wait, of which the answer is the end
-/// (step, settle, load) or which wait for a frame (pin, fold_through, layers), are called in
-/// threads of their own and reach the paper through the node's.
+/// (step, settle, load) or which wait for a frame (pin, grasp, add_obstacle, fold_through, layers),
+/// are called in threads of their own and reach the paper through the node's.
 class Services {
  public:
   /// \param tf  what is heard on /tf; must live as long
@@ -39,7 +39,12 @@ class Services {
   bool turnOver(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool pin(msg::Pin::Request& request, msg::Pin::Response& response);
   bool unpin(msg::Unpin::Request& request, msg::Unpin::Response& response);
+  bool grasp(msg::Grasp::Request& request, msg::Grasp::Response& response);
+  bool release(msg::Release::Request& request, msg::Release::Response& response);
   bool addVertex(msg::AddVertex::Request& request, msg::AddVertex::Response& response);
+  bool addObstacle(msg::AddObstacle::Request& request, msg::AddObstacle::Response& response);
+  bool removeObstacle(msg::RemoveObstacle::Request& request,
+                      msg::RemoveObstacle::Response& response);
   bool load(msg::Load::Request& request, msg::Load::Response& response);
   bool save(msg::Save::Request& request, msg::Save::Response& response);
   bool step(msg::Step::Request& request, msg::Step::Response& response);
@@ -49,7 +54,9 @@ class Services {
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool undo(msg::Undo::Request& request, msg::Undo::Response& response);
 
-  // Called in the threads of requests that may wait.
+  // Called in the threads of requests that may wait. Defined in request_answer.h.
+
+  static constexpr int kEndLook = 20;  ///< how often they look whether the node ends [ms]
 
   /// Calls a function in the node's thread and returns its result, or throws what it throws. It
   /// may outlive this call where the node ends, and must own what it uses.
@@ -60,8 +67,10 @@ class Services {
   template <class Result>
   Result wait(std::future<Result> result) const;
   void waitForFrame(const std::string& frame) const;
+  bool waitForCarrier(const std::string& frame) const;
 
   // Called in the node's thread.
+  PinWhere inWorld(PinWhere where, const std_msgs::Header& header) const;
   msg::FoldThrough::Response foldThroughNow(const msg::FoldThrough::Request& request);
   msg::Layers::Response layersNow(const msg::Layers::Request& request) const;
 

@@ -36,6 +36,9 @@ inline LiveConfig liveConfigOf(const SimulationConfig& config) {
   return {config.gravity, config.material.air_damping, config.fold_duration};
 }
 
+/// Returns what contact is made of, between layers of the paper and with obstacles.
+ContactParameters contactParameters(const SimulationConfig& config);
+
 /// \throws std::invalid_argument that names the offending parameter, its value and its bounds.
 void checkConfig(SimulationConfig config);
 

@@ -5,7 +5,9 @@
 #include <shell_origami/base/geometry.h>
 #include <shell_origami/dynamics/integrator.h>
 #include <shell_origami/origami/config.h>
+#include <shell_origami/origami/grasps.h>
 #include <shell_origami/origami/held_vertices.h>
+#include <shell_origami/origami/obstacles.h>
 #include <shell_origami/origami/pins.h>
 
 #include <array>
@@ -56,7 +58,8 @@ struct AddVertexEdit {
   double fraction = 0;  ///< of the edge's flat length, from its first vertex, in (0, 1)
 };
 
-/// Moves the vertices that a frame holds along with it, within the next step that converges.
+/// Moves the vertices that a frame holds and the obstacles that it carries along with it, within
+/// the next step that converges.
 struct CarryEdit {
   std::string frame;
   Pose pose;  ///< at the end of that step
@@ -65,7 +68,8 @@ struct CarryEdit {
 /// Moves the paper to static equilibrium, at once, with every rest angle where its ramp is now.
 struct SettleEdit {};
 
-/// Stops every fold under way: its crease keeps the rest angle that its ramp has reached.
+/// Stops every fold under way, whose crease keeps the rest angle that its ramp has reached, and
+/// every obstacle that a MoveObstacleEdit moves.
 struct StopEdit {};
 
 /// Changes parameters that may change while the paper moves.
@@ -73,8 +77,45 @@ struct ConfigureEdit {
   LiveConfig live;
 };
 
+/// Puts an obstacle beside the paper.
+struct AddObstacleEdit {
+  std::string id;
+  ObstacleShape shape;
+  Pose pose = {};                  ///< in the frame
+  std::optional<double> friction;  ///< none: ContactConfig::friction
+  std::string frame = {};          ///< that carries it; empty: the world, which does not
+  Pose frame_pose = {};            ///< of the frame, in the world
+};
+
+/// Takes obstacles away.
+struct RemoveObstacleEdit {
+  std::vector<std::string> ids;  ///< none: all
+};
+
+/// Moves an obstacle that no frame carries, at a constant speed.
+struct MoveObstacleEdit {
+  std::string id;
+  Pose pose;            ///< where it arrives
+  double duration = 0;  ///< [s]; 0: within a step
+};
+
+/// Holds vertices softly.
+struct GraspEdit {
+  std::string id;
+  PinWhere where;
+  Firmness firmness = {};
+  std::string frame = {};  ///< that carries it; empty: the world, which does not
+  Pose pose = {};          ///< of the frame, in the world
+};
+
+/// Ends grasps.
+struct ReleaseEdit {
+  std::vector<std::string> ids;  ///< none: all
+};
+
 using Edit = std::variant<FoldEdit, PinEdit, UnpinEdit, AddVertexEdit, CarryEdit, SettleEdit,
-                          StopEdit, ConfigureEdit>;
+                          StopEdit, ConfigureEdit, AddObstacleEdit, RemoveObstacleEdit,
+                          MoveObstacleEdit, GraspEdit, ReleaseEdit>;
 
 /// An edit that was made, and what it did.
 struct EditRecord {
@@ -92,6 +133,7 @@ struct EditRecord {
   std::vector<int> vertices;
   int parts = 1;      ///< fold: of the line, that lie on the paper; more where it has holes
   StepReport report;  ///< settle: the solver's work
+  std::vector<std::string> ids;  ///< of obstacles that were removed, of grasps that were ended
 };
 
 }  // namespace shell_origami

@@ -26,7 +26,7 @@ void checkPose(const Pose& pose) {
 }
 
 Pose poseBetween(const Pose& from, const Pose& to, double s) {
-  if (s == 0) return from;
+  if (s == 0 || from == to) return from;
   if (s == 1) return to;
   return {(1 - s) * from.position + s * to.position,
           from.orientation.slerp(s, to.orientation).normalized()};

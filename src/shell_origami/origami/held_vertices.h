@@ -20,6 +20,10 @@ struct Pose {
 
   Vector3 toWorld(const Vector3& p) const { return orientation * p + position; }
   Vector3 fromWorld(const Vector3& p) const { return orientation.conjugate() * (p - position); }
+  /// Where `pose`, given in this frame, is in the world.
+  Pose operator*(const Pose& pose) const {
+    return {toWorld(pose.position), (orientation * pose.orientation).normalized()};
+  }
   bool operator==(const Pose& other) const {
     return position == other.position && orientation.coeffs() == other.orientation.coeffs();
   }

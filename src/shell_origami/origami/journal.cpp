@@ -50,6 +50,29 @@ struct StepOf {
     if (!step.gravity && !step.air_damping && !step.fold_duration) return std::nullopt;
     return step;
   }
+  std::optional<RecipeStep> operator()(const AddObstacleEdit&) const {
+    AddObstacleEdit held = std::get<AddObstacleEdit>(made.edit);
+    // Recipes have no frames.
+    held.pose = held.frame_pose * held.pose;
+    held.frame.clear();
+    held.frame_pose = {};
+    return AddObstacleStep{{held}};
+  }
+  std::optional<RecipeStep> operator()(const RemoveObstacleEdit&) const {
+    return RemoveObstacleStep{made.ids};
+  }
+  std::optional<RecipeStep> operator()(const MoveObstacleEdit& given) const {
+    return MoveObstacleStep{given.id, given.pose, given.duration};
+  }
+  std::optional<RecipeStep> operator()(const GraspEdit& given) const {
+    GraspEdit held = given;
+    if (std::holds_alternative<Ball>(given.where))
+      held.where = std::get<GraspEdit>(made.edit).where;
+    // Recipes have no frames.
+    held.frame.clear();
+    return GraspStep{held};
+  }
+  std::optional<RecipeStep> operator()(const ReleaseEdit&) const { return ReleaseStep{made.ids}; }
 };
 
 /// Whether a step may take time by itself.
@@ -66,6 +89,10 @@ struct TakesTime {
   bool operator()(const StopStep&) const { return false; }
   bool operator()(const ConfigureStep&) const { return false; }
   bool operator()(const LoosenStep&) const { return false; }
+  bool operator()(const AddObstacleStep&) const { return false; }
+  bool operator()(const RemoveObstacleStep&) const { return false; }
+  bool operator()(const GraspStep&) const { return false; }
+  bool operator()(const ReleaseStep&) const { return false; }
 };
 
 /// Adds a step to the one before where one step can do both, without time between them.
@@ -132,6 +159,8 @@ void Journal::add(const Edit& given, const EditRecord& made, const LiveConfig& b
   if (!step) return;
   add(std::move(*step), made.time);
   if (const auto* pin = std::get_if<PinEdit>(&given)) steps_.back().frame = pin->frame;
+  if (const auto* added = std::get_if<AddObstacleEdit>(&given)) steps_.back().frame = added->frame;
+  if (const auto* grasp = std::get_if<GraspEdit>(&given)) steps_.back().frame = grasp->frame;
 }
 
 void Journal::moved(double time) {

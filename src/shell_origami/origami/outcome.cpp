@@ -186,10 +186,20 @@ std::string crossingSentence(const Simulation& simulation) {
   return text.str();
 }
 
+namespace {
+
+std::string cutSentence(const Simulation& simulation) {
+  const std::string id = simulation.cutObstacle();
+  return id.empty() ? "" : "obstacle '" + id + "' cuts the paper";
+}
+
+}  // namespace
+
 std::vector<std::string> shortfalls(const Simulation& simulation,
                                     const std::vector<MissedCrease>& missed) {
   std::vector<std::string> sentences{missedSentence(missed), bentSentence(simulation),
-                                     stretchedSentence(simulation), crossingSentence(simulation)};
+                                     stretchedSentence(simulation), crossingSentence(simulation),
+                                     cutSentence(simulation)};
   sentences.erase(std::remove(sentences.begin(), sentences.end(), ""), sentences.end());
   return sentences;
 }

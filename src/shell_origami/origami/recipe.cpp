@@ -78,6 +78,15 @@ struct Over {
   }
   bool operator()(const UnfoldStep&) const { return !simulation.folding(); }
   bool operator()(const LoosenStep&) const { return true; }
+  bool operator()(const AddObstacleStep&) const { return true; }
+  bool operator()(const RemoveObstacleStep&) const { return true; }
+  bool operator()(const GraspStep&) const { return true; }
+  bool operator()(const ReleaseStep&) const { return true; }
+  bool operator()(const MoveObstacleStep& step) const {
+    const auto& obstacles = simulation.obstacles().all();
+    const auto place = obstacles.find(step.id);
+    return place == obstacles.end() || place->second.left == 0;
+  }
   /// The residual speeds of a fold just begun are not rest.
   bool settled() const { return elapsed > 0 && simulation.settled(); }
   /// Whether so many seconds have passed. Times are rounded as steps are added up, and as people
@@ -103,6 +112,11 @@ struct Word {
   const char* operator()(const ManoeuvreStep& step) const { return wordOf(*step.manoeuvre); }
   const char* operator()(const UnfoldStep&) const { return "unfold"; }
   const char* operator()(const LoosenStep&) const { return "loosen"; }
+  const char* operator()(const AddObstacleStep&) const { return "add_obstacle"; }
+  const char* operator()(const RemoveObstacleStep&) const { return "remove_obstacle"; }
+  const char* operator()(const MoveObstacleStep&) const { return "obstacle"; }
+  const char* operator()(const GraspStep&) const { return "grasp"; }
+  const char* operator()(const ReleaseStep&) const { return "release"; }
 };
 
 struct Length {
@@ -116,6 +130,7 @@ struct Length {
   double operator()(const WaitStep& step) const { return step.seconds; }
   double operator()(const ManoeuvreStep& step) const { return step.manner.duration; }
   double operator()(const UnfoldStep& step) const { return step.duration; }
+  double operator()(const MoveObstacleStep& step) const { return step.duration; }
 };
 
 }  // namespace
@@ -213,6 +228,7 @@ bool RecipeRunner::over(const Simulation& simulation) {
   if (!std::visit(over, step)) return false;
   const auto* settle = std::get_if<SettleStep>(&step);
   if (settle && !settle->quasi_static && !over.settled()) noteTimeout(*settle);
+  if (const auto* move = std::get_if<MoveObstacleStep>(&step)) noteStopped(*move, simulation);
   return true;
 }
 
@@ -228,6 +244,19 @@ void RecipeRunner::noteTimeout(const SettleStep& step) {
   std::ostringstream warning;
   warning << "step " << place_.step + 1 << ": the paper had not settled after " << step.timeout
           << " s, its timeout";
+  warnings_.push_back(warning.str());
+}
+
+/// Says how far the paper kept an obstacle from where it was to be.
+void RecipeRunner::noteStopped(const MoveObstacleStep& step, const Simulation& simulation) {
+  const auto place = simulation.obstacles().all().find(step.id);
+  if (place == simulation.obstacles().all().end() || place->second.base == step.pose) return;
+  const Pose& pose = place->second.base;
+  std::ostringstream warning;
+  warning << "step " << place_.step + 1 << ": the paper stopped obstacle '" << step.id << "' "
+          << (pose.position - step.pose.position).norm() << " m and "
+          << pose.orientation.angularDistance(step.pose.orientation)
+          << " rad before where it was to be";
   warnings_.push_back(warning.str());
 }
 

@@ -85,9 +85,30 @@ struct LoosenStep {
   std::vector<std::array<Landmark, 2>> lines;  ///< the ends of each
   double stiffness = 0;                        ///< [N*m/rad per m]
 };
-using RecipeStep = std::variant<PinStep, UnpinStep, FoldStep, SettleStep, FoldThroughStep,
-                                TurnOverStep, LookStep, WaitStep, AddVertexStep, StopStep,
-                                ConfigureStep, ManoeuvreStep, UnfoldStep, LoosenStep>;
+/// Adds obstacles, all of them or none.
+struct AddObstacleStep {
+  std::vector<AddObstacleEdit> obstacles;
+};
+struct RemoveObstacleStep {
+  std::vector<std::string> ids;  ///< none: all
+};
+/// Moves an obstacle, and lasts until it is there or the paper has stopped it.
+struct MoveObstacleStep {
+  std::string id;
+  Pose pose;
+  double duration = 1;  ///< [s]
+};
+struct GraspStep {
+  GraspEdit edit;
+};
+struct ReleaseStep {
+  std::vector<std::string> ids;  ///< none: all
+};
+using RecipeStep =
+    std::variant<PinStep, UnpinStep, FoldStep, SettleStep, FoldThroughStep, TurnOverStep, LookStep,
+                 WaitStep, AddVertexStep, StopStep, ConfigureStep, ManoeuvreStep, UnfoldStep,
+                 LoosenStep, AddObstacleStep, RemoveObstacleStep, MoveObstacleStep, GraspStep,
+                 ReleaseStep>;
 
 /// From where the finished model looks best: rviz's orbit camera.
 struct View {
@@ -207,7 +228,7 @@ class RecipeRunner {
   bool finished() const { return place_.step >= static_cast<int>(recipe_.steps.size()); }
   double progress(const Simulation& simulation) const;  ///< 0..1
   std::string doing() const;                            ///< one word for the step under way
-  /// Returns a sentence for each step that ended at its timeout since the last call.
+  /// Returns a sentence for each step that ended otherwise than it should since the last call.
   std::vector<std::string> takeWarnings() { return std::exchange(warnings_, {}); }
 
  private:
@@ -218,6 +239,7 @@ class RecipeRunner {
   void beginPhase(const Simulation& simulation, const Apply& apply);
   void checkResult(const Simulation& simulation) const;
   void noteTimeout(const SettleStep& step);
+  void noteStopped(const MoveObstacleStep& step, const Simulation& simulation);
 
   Recipe recipe_;
   RecipePlace place_;

@@ -4,6 +4,7 @@
 #include <shell_origami/origami/parameter_table.h>
 #include <shell_origami/origami/pattern_recipe.h>
 #include <shell_origami/origami/recipe.h>
+#include <shell_origami/origami/recipe_obstacles.h>
 #include <shell_origami/origami/recipe_reader.h>
 #include <shell_origami/origami/recipe_steps.h>
 
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 /// Of a recipe's file.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 
-void readPose(const RecipeReader& reader, const YAML::Node& node, SheetSource& sheet) {
+void readSheetPose(const RecipeReader& reader, const YAML::Node& node, SheetSource& sheet) {
   reader.readMap(node, "sheet/pose",
                  {{"position",
                    [&](const YAML::Node& value) {
@@ -66,7 +67,7 @@ void readSheet(const RecipeReader& reader, const YAML::Node& node, const fs::pat
         }},
        {"scale", reader.into(&sheet.scale, "sheet/scale")},
        {"width", reader.into(&sheet.pattern_width, "sheet/width")},
-       {"pose", [&](const YAML::Node& value) { readPose(reader, value, sheet); }},
+       {"pose", [&](const YAML::Node& value) { readSheetPose(reader, value, sheet); }},
        {"curvature", [&](const YAML::Node& value) { readCurvature(reader, value, roll); }}});
   if (sheet.pattern_width == 0) return;
   if (sheet.pattern.empty()) {
@@ -133,6 +134,9 @@ void readRoot(const RecipeReader& reader, const YAML::Node& root, const fs::path
   };
   handlers["view"] = [&](const YAML::Node& node) { readView(reader, node, recipe.view); };
   handlers["precrease"] = reader.into(&recipe.precrease, "precrease");
+  handlers["obstacles"] = [&](const YAML::Node& node) {
+    recipe.steps.push_back(AddObstacleStep{readObstacles(reader, node, folder.string())});
+  };
   handlers["names"] = [&](const YAML::Node& node) { names = node; };
   handlers["steps"] = [&](const YAML::Node& node) { steps = node; };
   reader.readMap(root, "the recipe", handlers);
@@ -146,7 +150,8 @@ void readRoot(const RecipeReader& reader, const YAML::Node& root, const fs::path
   if (!names.IsNull()) recipe.names = readNames(reader, names);
   for (const YAML::Node& step : steps) {
     std::optional<double> lasts;
-    recipe.steps.push_back(readStep(reader, step, config.fold_duration, recipe.names, lasts));
+    recipe.steps.push_back(
+        readStep(reader, step, config.fold_duration, recipe.names, folder.string(), lasts));
     if (lasts) recipe.lasts[static_cast<int>(recipe.steps.size()) - 1] = *lasts;
   }
 }

@@ -1,5 +1,7 @@
 #include <shell_origami/origami/recipe_steps.h>
 
+#include <shell_origami/origami/recipe_obstacles.h>
+
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -140,9 +142,57 @@ double readSeconds(const RecipeReader& reader, const YAML::Node& node, const std
   return seconds;
 }
 
+MoveObstacleStep readMoveObstacle(const RecipeReader& reader, const YAML::Node& node) {
+  MoveObstacleStep step;
+  bool moves = false;
+  reader.readMap(node, "obstacle",
+                 {{"id", reader.into(&step.id, "id")}, {"move", [&](const YAML::Node& value) {
+                                                          step.pose =
+                                                              readPose(reader, value, "move");
+                                                          moves = true;
+                                                        }}});
+  if (step.id.empty() || !moves) reader.refuseAt(node, "obstacle needs id and move");
+  return step;
+}
+
+/// Reads an id, a list of them, or `all`, which is none.
+std::vector<std::string> readIds(const RecipeReader& reader, const YAML::Node& node,
+                                 const std::string& what) {
+  std::vector<std::string> ids;
+  if (node.IsSequence()) {
+    for (const YAML::Node& id : node) ids.push_back(reader.text(id, "an id"));
+    if (ids.empty()) reader.refuseAt(node, what, " takes all, an id or several");
+    return ids;
+  }
+  const std::string id = reader.text(node, what);
+  if (id != "all") ids = {id};
+  return ids;
+}
+
+GraspStep readGrasp(const RecipeReader& reader, const YAML::Node& node) {
+  GraspStep step;
+  Firmness& firmness = step.edit.firmness;
+  YAML::Node where(YAML::NodeType::Map);
+  RecipeReader::Handlers handlers{{"id", reader.into(&step.edit.id, "id")},
+                                  {"stiffness", reader.into(&firmness.stiffness, "stiffness")},
+                                  {"max_force", reader.into(&firmness.max_force, "max_force")},
+                                  {"reach", reader.into(&firmness.reach, "reach")}};
+  for (const std::string key : {"region", "points", "vertices"}) {
+    handlers[key] = [&where, key](const YAML::Node& value) { where[key] = value; };
+  }
+  reader.readMap(node, "grasp", handlers);
+  if (step.edit.id.empty()) reader.refuseAt(node, "a grasp needs an id");
+  if (where.size() != 1) {
+    reader.refuseAt(node, "grasp takes one of region, points and vertices");
+  }
+  step.edit.where = readWhere(reader, where, "grasp");
+  return step;
+}
+
 constexpr const char* kSteps =
     "pin, unpin, fold, fold_through, petal, pleat, rabbit_ear, squash, reverse, unfold, loosen, "
-    "turn_over, look_from, settle, wait, add_vertex, stop or configure";
+    "turn_over, look_from, settle, wait, add_vertex, stop, configure, add_obstacle, obstacle, "
+    "remove_obstacle, grasp or release";
 
 /// The duration that a recipe may state of a step; null: none.
 struct Duration {
@@ -150,6 +200,7 @@ struct Duration {
   double* operator()(FoldThroughStep& step) const { return &step.duration; }
   double* operator()(ManoeuvreStep& step) const { return &step.manner.duration; }
   double* operator()(UnfoldStep& step) const { return &step.duration; }
+  double* operator()(MoveObstacleStep& step) const { return &step.duration; }
   template <class Other>
   double* operator()(Other&) const {
     return nullptr;
@@ -159,7 +210,8 @@ struct Duration {
 }  // namespace
 
 RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double fold_duration,
-                    const LandmarkNames& names, std::optional<double>& lasts) {
+                    const LandmarkNames& names, const std::string& folder,
+                    std::optional<double>& lasts) {
   std::vector<RecipeStep> steps;
   double duration = fold_duration;
   bool has_duration = false;
@@ -228,6 +280,21 @@ RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double f
         }},
        {"configure",
         [&](const YAML::Node& value) { steps.push_back(readConfigure(reader, value)); }},
+       {"add_obstacle",
+        [&](const YAML::Node& value) {
+          steps.push_back(AddObstacleStep{readObstacles(reader, value, folder)});
+        }},
+       {"obstacle",
+        [&](const YAML::Node& value) { steps.push_back(readMoveObstacle(reader, value)); }},
+       {"remove_obstacle",
+        [&](const YAML::Node& value) {
+          steps.push_back(RemoveObstacleStep{readIds(reader, value, "remove_obstacle")});
+        }},
+       {"grasp", [&](const YAML::Node& value) { steps.push_back(readGrasp(reader, value)); }},
+       {"release",
+        [&](const YAML::Node& value) {
+          steps.push_back(ReleaseStep{readIds(reader, value, "release")});
+        }},
        {"lasts", [&](const YAML::Node& value) { lasts = readSeconds(reader, value, "lasts"); }},
        {"duration",
         [&](const YAML::Node& value) {
@@ -250,7 +317,7 @@ RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double f
     reader.refuseAt(node, "a step does one thing: ", kSteps, ", not ", steps.size());
   }
   double* length = std::visit(Duration{}, steps[0]);
-  if (has_duration && !length) reader.refuseAt(node, "duration belongs to a fold");
+  if (has_duration && !length) reader.refuseAt(node, "duration belongs to a fold or a move");
   const auto* manoeuvre = std::get_if<ManoeuvreStep>(&steps[0]);
   if (manoeuvre && !has_duration) duration = fold_duration * lengthOf(*manoeuvre->manoeuvre);
   if (length) *length = duration;

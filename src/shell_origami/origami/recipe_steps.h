@@ -8,10 +8,12 @@
 
 namespace shell_origami {
 
-/// Reads one entry of `steps`. A fold that states no duration takes `fold_duration` [s].
+/// Reads one entry of `steps`. A fold that states no duration takes `fold_duration` [s]. Paths are
+/// relative to `folder`.
 /// \param lasts  set where the entry states it [s]
 /// \throws std::invalid_argument with one sentence naming file, line and offending value.
 RecipeStep readStep(const RecipeReader& reader, const YAML::Node& node, double fold_duration,
-                    const LandmarkNames& names, std::optional<double>& lasts);
+                    const LandmarkNames& names, const std::string& folder,
+                    std::optional<double>& lasts);
 
 }  // namespace shell_origami

@@ -2,6 +2,7 @@
 
 #include <shell_origami/origami/landmark_text.h>
 #include <shell_origami/origami/parameter_table.h>
+#include <shell_origami/origami/recipe_obstacles.h>
 #include <shell_origami/origami/yaml_text.h>
 
 #include <cmath>
@@ -168,6 +169,34 @@ struct StepText {
     YamlMap entries;
     entries.add("creases", "[" + creases + "]").add("stiffness", numberText(step.stiffness));
     return "loosen: " + entries.text();
+  }
+  std::string operator()(const AddObstacleStep& step) const {
+    return "add_obstacle: " + list(step.obstacles, obstacleText);
+  }
+  std::string operator()(const RemoveObstacleStep& step) const {
+    return "remove_obstacle: " + (step.ids.empty() ? "all" : list(step.ids, word));
+  }
+  std::string operator()(const GraspStep& step) const {
+    const Firmness& firmness = step.edit.firmness;
+    YamlMap entries;
+    entries.add("id", word(step.edit.id));
+    // Without its braces.
+    const std::string where = std::visit(WhereText{}, step.edit.where);
+    const std::size_t colon = where.find(": ");
+    entries.add(where.substr(1, colon - 1), where.substr(colon + 2, where.size() - colon - 3));
+    entries.add("stiffness", numberText(firmness.stiffness));
+    entries.add("max_force", numberText(firmness.max_force));
+    entries.add("reach", numberText(firmness.reach));
+    return "grasp: " + entries.text();
+  }
+  std::string operator()(const ReleaseStep& step) const {
+    return "release: " + (step.ids.empty() ? "all" : list(step.ids, word));
+  }
+  std::string operator()(const MoveObstacleStep& step) const {
+    YamlMap pose, entries;
+    addPose(step.pose, pose);
+    entries.add("id", word(step.id)).add("move", pose.text());
+    return "obstacle: " + entries.text() + duration(step.duration);
   }
 
   /// A time in as few digits as tell its number of steps.

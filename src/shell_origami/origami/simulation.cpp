@@ -59,19 +59,34 @@ Positions flatInSpace(const Sheet& sheet) {
 /// with these.
 class Simulation::StepConditions : public BoundaryConditions {
  public:
-  explicit StepConditions(Simulation& simulation) : simulation_(simulation) {}
+  explicit StepConditions(Simulation& simulation)
+      : simulation_(simulation), center_(simulation.paperCenter()) {}
 
   void applyAt(double s, Positions& prescribed) override {
     simulation_.updateRestState(simulation_.time_ + s * simulation_.config_.solver.time_step);
     simulation_.held_.place(s, prescribed);
+    simulation_.moveSprings(s);
+    const Positions places = simulation_.obstaclesAt(s * simulation_.obstacles_.pace(), center_);
+    prescribed.rightCols(places.cols()) = places;
   }
 
   bool constant() const override {
-    return !simulation_.folding() && !simulation_.compliance_.soft() && !simulation_.held_.moving();
+    return !simulation_.folding() && !simulation_.compliance_.soft() &&
+           !simulation_.held_.moving() && !simulation_.obstacles_.moving() &&
+           !simulation_.grasps_.moving();
+  }
+
+  /// Obstacles that paper is in the way of are slowed down instead.
+  int mostDivisions() const override {
+    const Obstacles& obstacles = simulation_.obstacles_;
+    return obstacles.moving() && obstacles.pace() > 0 ? kDivisionsWhilePushed : kMostDivisions;
   }
 
  private:
+  static constexpr int kDivisionsWhilePushed = 3;
+
   Simulation& simulation_;
+  Vector3 center_;  ///< of the paper where the step starts
 };
 
 Simulation::Simulation(Sheet sheet, const SimulationConfig& config)
@@ -112,6 +127,8 @@ Simulation::Simulation(const Snapshot& snapshot)
       rest_(snapshot.rest),
       in_plane_(snapshot.in_plane),
       held_(snapshot.held),
+      grasps_(snapshot.grasps),
+      obstacles_(snapshot.obstacles),
       stepper_(config_.solver),
       counters_(snapshot.counters),
       time_(snapshot.time),
@@ -119,16 +136,16 @@ Simulation::Simulation(const Snapshot& snapshot)
       left_out_(snapshot.left_out) {
   topologyChanged();
   stepper_.restoreState(snapshot.solver);
-  if (contact_ && !stepper_.restorePattern(snapshot.pattern)) {
+  if ((contact_ || obstacle_contact_) && !stepper_.restorePattern(snapshot.pattern)) {
     reject("the matrix's pattern is of another paper");
   }
 }
 
 Snapshot Simulation::snapshot() const {
-  Snapshot snapshot{config_,   sheet_,    motion_,  creases_,         compliance_,
-                    rest_,     in_plane_, held_,    stepper_.state(), {},
-                    counters_, time_,     resting_, left_out_};
-  if (contact_) snapshot.pattern = stepper_.pattern();
+  Snapshot snapshot{config_,   sheet_, motion_,    creases_, compliance_,      rest_,
+                    in_plane_, held_,  obstacles_, grasps_,  stepper_.state(), {},
+                    counters_, time_,  resting_,   left_out_};
+  if (contact_ || obstacle_contact_) snapshot.pattern = stepper_.pattern();
   snapshot.creases.synchronize(time_);
   return snapshot;
 }
@@ -137,7 +154,9 @@ void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_b
   creases_.follow(remap, creases_before, sheet_.creases());
   rest_.follow(remap, sheet_);
   in_plane_.follow(remap);
+  const Positions before = motion_.positions;
   motion_.positions = remap.apply(motion_.positions, sheet_.vertexCount());
+  grasps_.follow(before, motion_.positions);
   motion_.velocities = remap.apply(motion_.velocities, sheet_.vertexCount());
   motion_.accelerations = remap.apply(motion_.accelerations, sheet_.vertexCount());
   held_.follow(motion_.positions);
@@ -148,6 +167,8 @@ void Simulation::follow(const Remap& remap, const std::vector<Crease>& creases_b
 void Simulation::topologyChanged() {
   shell_ = ShellPotential(sheet_, config_.material, config_.gravity);
   remakeContact();
+  remakeObstacles();
+  remakeSprings();
   rest_.apply(shell_.shell(), shell_.rest);
   in_plane_.apply(shell_.shell(), shell_.rest);
   updateRestState(time_);
@@ -158,6 +179,8 @@ void Simulation::topologyChanged() {
 const Potentials& Simulation::potentials() {
   potentials_.assign(1, &shell_);
   if (contactOn()) potentials_.push_back(&*contact_);
+  if (obstacle_contact_) potentials_.push_back(&*obstacle_contact_);
+  if (!springs_.springs().empty()) potentials_.push_back(&springs_);
   return potentials_;
 }
 
@@ -186,7 +209,9 @@ void Simulation::pinsChanged() {
     motion_.velocities.col(v).setZero();
     motion_.accelerations.col(v).setZero();
   }
-  stepper_.setFree(std::move(free));
+  const int body_vertices = static_cast<int>(obstaclePlaces().cols());
+  free.insert(free.end(), body_vertices, false);
+  stepper_.setFree(std::move(free), body_vertices);
 }
 
 /// Adds to the counters, and to a failure where on the paper it happened.
@@ -216,20 +241,29 @@ StepReport Simulation::step() {
   const bool contact_before = contactOn();
   const double factor = complianceOf(config_.compliance, sheet_, creases_.ramps(), time_);
   if (factor > 1) compliance_.start(factor);
+  obstacles_.aim(config_.solver.time_step);
   StepConditions conditions(*this);
   const SolverState solver = stepper_.state();
   StepReport report;
   do {
-    report = counted(stepper_.step(potentials(), shell_.shell().masses(),
-                                   config_.material.air_damping, conditions, motion_));
-  } while (!report.converged && compliance_.stiffen());
+    report = counted(takeStep(conditions));
+  } while (!report.converged && (obstacles_.slowDown() || compliance_.stiffen()));
   if (!report.converged) {
     updateRestState(time_);
+    moveSprings(0);
     stepper_.restoreState(solver);
     return report;
   }
   findBlocked();
   if (!blocked_) held_.arrive();
+  findStopped();
+  obstacles_.arrive(config_.solver.time_step);
+  if (grasps_.arrive(motion_.positions)) {
+    remakeSprings();
+    pinsChanged();
+  } else {
+    moveSprings(0);
+  }
   takeInWhatParted();
   ++counters_.steps;
   time_ += config_.solver.time_step;
@@ -241,6 +275,7 @@ StepReport Simulation::step() {
   giveWay(motion_.positions);
   resting_ = atRest();
   if (resting_) {
+    stopped_.reset();
     motion_.velocities.setZero();
     motion_.accelerations.setZero();
   }
@@ -280,6 +315,7 @@ Energies Simulation::energies() const {
   energies.bending = shell_.bendingEnergy(motion_.positions);
   energies.gravity = shell_.gravityEnergy(motion_.positions);
   if (contactOn()) energies.contact = contact_->energy(motion_.positions);
+  if (obstacle_contact_) energies.contact += obstacle_contact_->energy(withObstacles());
   energies.kinetic = kineticEnergy(motion_.velocities, shell_.shell().masses());
   return energies;
 }
@@ -290,7 +326,7 @@ std::map<std::string, Wrench> Simulation::holdingWrenches() const {
   Positions forces = (motion_.accelerations + config_.material.air_damping * motion_.velocities) *
                      shell_.shell().masses().asDiagonal();
   shell_.addGradient(motion_.positions, forces);
-  if (contactOn()) contact_->addGradient(motion_.positions, forces);
+  addContactForces(forces);
   const auto add = [&](int v, const Pose& pose, Wrench& wrench) {
     const Vector3 force = pose.orientation.conjugate() * Vector3(forces.col(v));
     wrench.force += force;
@@ -323,8 +359,8 @@ bool Simulation::folding() const { return creases_.runningAt(time_); }
 
 bool Simulation::atRest() const {
   const double still = kAtRest * config_.solver.tolerance;
-  return !folding() && !compliance_.soft() && !blocked_ &&
-         rootMeanSquare(motion_.velocities) < still &&
+  return !folding() && !compliance_.soft() && !blocked_ && !obstacles_.moving() &&
+         !grasps_.moving() && rootMeanSquare(motion_.velocities) < still &&
          rootMeanSquare(motion_.accelerations) * config_.solver.time_step < still;
 }
 
@@ -340,7 +376,10 @@ Positions Simulation::accelerations() const {
   if (counters_.steps > 0) return motion_.accelerations;
   Positions forces = Positions::Zero(3, motion_.positions.cols());
   shell_.addGradient(motion_.positions, forces);
-  if (contactOn()) contact_->addGradient(motion_.positions, forces);
+  addContactForces(forces);
+  for (const Spring& spring : springs_.springs()) {
+    forces.col(spring.vertex) -= spring.forceAt(motion_.positions.col(spring.vertex));
+  }
   for (int v : pinned()) forces.col(v).setZero();
   return -forces * shell_.shell().masses().cwiseInverse().asDiagonal();
 }

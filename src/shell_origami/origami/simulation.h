@@ -49,6 +49,19 @@ struct Blocked {
   int by;  ///< vertex of the paper in the way
 };
 
+/// What a frame carries: held vertices, grasps and obstacles.
+struct CarriedFrame {
+  Pose pose;                    ///< where it carried them last
+  Pose next;                    ///< where it carries them within the next step that converges
+  std::vector<Vector3> places;  ///< of vertices and of obstacles' corners, in the frame [m]
+};
+
+/// Obstacles that paper stopped or slowed in the last step.
+struct Stopped {
+  std::vector<std::string> ids;
+  double pace;  ///< the part of their way that they made
+};
+
 /// Edits throw std::invalid_argument with a message that names the offending value, and then have
 /// changed nothing. Everything is deterministic: the same calls give the same bits.
 class Simulation {
@@ -100,6 +113,23 @@ class Simulation {
   /// Where held paper met paper in the last step and could not follow what holds it.
   const std::optional<Blocked>& blocked() const { return blocked_; }
   const HeldVertices& held() const { return held_; }
+  const Obstacles& obstacles() const { return obstacles_; }
+  const Grasps& grasps() const { return grasps_; }
+  /// Force and torque with which each grasp holds the paper, in its frame and about its origin.
+  std::map<std::string, Wrench> graspWrenches() const {
+    return grasps_.wrenches(motion_.positions);
+  }
+  /// By the frames' names.
+  std::map<std::string, CarriedFrame> carriedFrames() const;
+  const std::optional<Stopped>& stopped() const { return stopped_; }
+  /// The name of an obstacle that the paper cuts or is inside of, by exact predicates; empty: there
+  /// is none, as by construction.
+  std::string cutObstacle() const { return cutObstacle(sheet_, motion_.positions); }
+  /// Force and torque of the paper on each obstacle in the last step, friction included: of one
+  /// that a frame carries in that frame and about its origin, of others in the world's.
+  std::map<std::string, Wrench> obstacleWrenches() const;
+  /// The places of the obstacles' vertices, in the order of their names [m].
+  Positions obstaclePlaces() const { return obstaclesAt(0, paperCenter()); }
   const std::set<int>& pinned() const { return held_.all(); }
   const Counters& counters() const { return counters_; }
   double time() const { return time_; }  ///< [s]
@@ -137,6 +167,11 @@ class Simulation {
   SettleEdit make(const SettleEdit& edit, EditRecord& record);
   StopEdit make(const StopEdit& edit, EditRecord& record);
   ConfigureEdit make(const ConfigureEdit& edit, EditRecord& record);
+  AddObstacleEdit make(const AddObstacleEdit& edit, EditRecord& record);
+  RemoveObstacleEdit make(const RemoveObstacleEdit& edit, EditRecord& record);
+  MoveObstacleEdit make(const MoveObstacleEdit& edit, EditRecord& record);
+  GraspEdit make(const GraspEdit& edit, EditRecord& record);
+  ReleaseEdit make(const ReleaseEdit& edit, EditRecord& record);
   FoldLine insertLine(const Segment& line, const std::string& name);
   void foldLine(const Segment& line, const FoldEdit& edit, EditRecord& record);
   void foldNamed(const std::string& name, const FoldEdit& edit, EditRecord& record);
@@ -155,6 +190,24 @@ class Simulation {
   void startContact();
   void remakeContact();
   void takeInWhatParted();
+  void checkNewName(const char* what, const std::string& id) const;
+  void remakeSprings();
+  void moveSprings(double s);
+  void remakeObstacles();
+  std::string cutObstacle(const Sheet& sheet, const Positions& positions) const;
+  Vector3 paperCenter() const;
+  Positions obstaclesAt(double s, const Vector3& center) const;
+  Positions withObstacles(double s = 0) const;
+  Motion joinedMotion() const;
+  StepReport takeStep(BoundaryConditions& conditions);
+  StepReport relax(const std::function<void(const Positions&)>& adapt);
+  StepReport moveAmongObstacles(
+      const std::function<StepReport(const Eigen::VectorXd& masses, Motion& motion)>& move);
+  bool pushed() const;
+  double obstacleGap(double s) const;
+  bool crushes(double before, double after) const;
+  void findStopped();
+  void addContactForces(Positions& forces) const;
   void findBlocked();
   int inTheWayOf(int v) const;
 
@@ -162,7 +215,11 @@ class Simulation {
   Sheet sheet_;
   ShellPotential shell_;
   std::optional<ContactPotential> contact_;  ///< none where paper may pass through itself
+  std::vector<Body> bodies_;                 ///< of the obstacles
+  std::optional<ContactPotential>
+      obstacle_contact_;  ///< paper and obstacles; none where there are none
   std::optional<Blocked> blocked_;
+  std::optional<Stopped> stopped_;
   Potentials potentials_;  ///< scratch of potentials()
   Motion motion_;
   CreaseActuation creases_;
@@ -170,6 +227,10 @@ class Simulation {
   RestShape rest_;
   InPlaneSet in_plane_;
   HeldVertices held_;
+  Grasps grasps_;
+  SpringPotential springs_;  ///< of the grasps
+  Obstacles obstacles_;
+  Positions obstacle_forces_;  ///< of the paper on their vertices in the last step [N]
   Stepper stepper_;
   Counters counters_;
   double time_ = 0;

@@ -12,18 +12,6 @@ namespace {
 /// After so many steps what contact leaves out is looked at again.
 constexpr std::uint64_t kPartingSteps = 10;
 
-/// Speed [m/s] below which friction holds layers together with less than its bound.
-constexpr double kSticking = 1e-4;
-
-/// Pairs in contact are as stiff as creases lever the paper against itself; a softer barrier lets
-/// gaps shrink to nothing, and steps take a hundred iterations.
-ContactParameters contactParameters(const SimulationConfig& config) {
-  constexpr double kPart = 0.02;  // of the membrane's stiffness
-  return {config.contact.distance,
-          kPart * config.material.youngs_modulus * config.material.thickness,
-          config.contact.friction, kSticking * config.solver.time_step};
-}
-
 // Of ascending lists.
 
 std::vector<TrianglePair> united(const std::vector<TrianglePair>& a,
@@ -114,12 +102,31 @@ std::vector<TrianglePair> Simulation::crossings() const {
 }
 
 std::vector<Contact> Simulation::contacts() const {
-  return contactOn() ? contact_->contacts(motion_.positions) : std::vector<Contact>();
+  std::vector<Contact> all;
+  if (contactOn()) all = contact_->contacts(motion_.positions);
+  if (!obstacle_contact_) return all;
+  const std::vector<Contact> more = obstacle_contact_->contacts(withObstacles());
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
 }
 
 std::vector<ContactForce> Simulation::contactForces() const {
-  if (!contactOn()) return {};
-  return shell_origami::contactForces(*contact_, motion_.positions);
+  std::vector<ContactForce> all;
+  if (contactOn()) all = shell_origami::contactForces(*contact_, motion_.positions);
+  if (!obstacle_contact_) return all;
+  const auto more = shell_origami::contactForces(*obstacle_contact_, withObstacles());
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+/// Adds dW/dx of contact [N] at the vertices of the paper.
+void Simulation::addContactForces(Positions& forces) const {
+  if (contactOn()) contact_->addGradient(motion_.positions, forces);
+  if (!obstacle_contact_) return;
+  const Positions all = withObstacles();
+  Positions on_all = Positions::Zero(3, all.cols());
+  obstacle_contact_->addGradient(all, on_all);
+  forces += on_all.leftCols(forces.cols());
 }
 
 }  // namespace shell_origami

@@ -94,11 +94,13 @@ void Simulation::foldLine(const Segment& line, const FoldEdit& edit, EditRecord&
 /// are split only.
 FoldLine Simulation::insertLine(const Segment& line, const std::string& name) {
   EditContext context{&motion_.positions, pinned()};
-  if (contactOn() && left_out_.empty()) {
+  const bool separate = contactOn() && left_out_.empty();
+  if (separate || obstacle_contact_) {
     Sheet trial = sheet_;
     FoldLine made = makeFoldLine(trial, line, name, context);
     const Positions moved = made.remap.apply(motion_.positions, trial.vertexCount());
-    if (shell_origami::crossings(trial, moved).empty()) {
+    const bool apart = !separate || shell_origami::crossings(trial, moved).empty();
+    if (apart && cutObstacle(trial, moved).empty()) {
       sheet_ = std::move(trial);
       return made;
     }
@@ -189,8 +191,13 @@ AddVertexEdit Simulation::make(const AddVertexEdit& edit, EditRecord& record) {
 
 CarryEdit Simulation::make(const CarryEdit& edit, EditRecord&) {
   checkPose(edit.pose);
-  if (!held_.grips().count(edit.frame)) reject("frame \"", edit.frame, "\" holds no vertex");
-  held_.carry(edit.frame, edit.pose);
+  const bool holds = held_.grips().count(edit.frame) > 0;
+  if (!holds && !obstacles_.carriedBy(edit.frame) && !grasps_.carriedBy(edit.frame)) {
+    reject("frame \"", edit.frame, "\" holds no vertex");
+  }
+  if (holds) held_.carry(edit.frame, edit.pose);
+  obstacles_.carry(edit.frame, edit.pose);
+  grasps_.carry(edit.frame, edit.pose);
   return edit;
 }
 
@@ -207,7 +214,7 @@ SettleEdit Simulation::make(const SettleEdit& edit, EditRecord& record) {
   try {
     if (!folding()) compliance_ = {};
     updateRestState(time_);
-    record.report = counted(stepper_.relax(potentials(), shell_.shell().masses(), adapt, motion_));
+    record.report = counted(relax(adapt));
     if (!record.report.converged) reject(record.report.failure);
   } catch (const std::invalid_argument&) {
     creases_ = creases;
@@ -222,6 +229,7 @@ SettleEdit Simulation::make(const SettleEdit& edit, EditRecord& record) {
 
 StopEdit Simulation::make(const StopEdit& edit, EditRecord&) {
   creases_.stop(time_);
+  obstacles_.stop();
   return edit;
 }
 

@@ -2,6 +2,7 @@
 
 #include <shell_origami/base/bounded_json.h>
 #include <shell_origami/base/error.h>
+#include <shell_origami/origami/obstacle_json.h>
 #include <shell_origami/origami/parameter_table.h>
 
 #include <algorithm>
@@ -212,18 +213,6 @@ InPlaneSet readInPlane(const Json& json, int triangles) {
   return InPlaneSet(std::move(strains));
 }
 
-Json write(const Pose& pose) {
-  return {{"position", numbers(pose.position)},
-          {"orientation", numbers(pose.orientation.coeffs())}};
-}
-
-Pose readPose(const Json& json) {
-  const auto q = json.at("orientation").get<std::array<double, 4>>();
-  const Pose pose{vectorFrom(json.at("position")), Eigen::Quaterniond(q[3], q[0], q[1], q[2])};
-  checkPose(pose);
-  return pose;
-}
-
 Json write(const HeldVertices& held) {
   Json grips = Json::object();
   for (const auto& [frame, grip] : held.grips()) {
@@ -231,9 +220,9 @@ Json write(const HeldVertices& held) {
     for (const auto& [v, place] : grip.places) {
       places.push_back({{"vertex", v}, {"place", numbers(place)}});
     }
-    grips[frame] = write(grip.pose);
+    grips[frame] = toJson(grip.pose);
     grips[frame]["places"] = places;
-    if (!(grip.next == grip.pose)) grips[frame]["next"] = write(grip.next);
+    if (!(grip.next == grip.pose)) grips[frame]["next"] = toJson(grip.next);
   }
   return {{"in_place", held.inPlace()}, {"grips", grips}};
 }
@@ -242,8 +231,8 @@ HeldVertices readHeld(const Json& json, int vertex_count) {
   std::map<std::string, Grip> grips;
   for (const auto& [frame, entry] : json.at("grips").items()) {
     Grip& grip = grips[frame];
-    grip.pose = readPose(entry);
-    grip.next = entry.contains("next") ? readPose(entry.at("next")) : grip.pose;
+    grip.pose = poseFrom(entry);
+    grip.next = entry.contains("next") ? poseFrom(entry.at("next")) : grip.pose;
     for (const Json& place : entry.at("places")) {
       const int v = place.at("vertex");
       checkIds({v}, vertex_count);
@@ -293,6 +282,8 @@ Snapshot read(const Json& json) {
           std::move(rest),
           readInPlane(json.at("in_plane"), triangles),
           readHeld(json.at("held"), count),
+          obstaclesFrom(json.at("obstacles")),
+          graspsFrom(json.at("grasps"), count),
           {memory.at("contraction"), memory.at("unchecked")},
           readPattern(memory.at("pattern")),
           countersFrom(json.at("counters")),
@@ -355,7 +346,8 @@ std::size_t memoryOf(const Snapshot& snapshot) {
                     bytes(snapshot.left_out);
   for (const Crease& crease : sheet.creases()) sum += bytes(crease.vertices);
   // Nodes of maps and sets.
-  constexpr std::size_t kHeldVertex = 150;
+  constexpr std::size_t kHeldVertex = 150, kObstacle = 1000;
+  sum += kObstacle * snapshot.obstacles.all().size();
   return sum + kHeldVertex * snapshot.held.all().size();
 }
 
@@ -378,6 +370,8 @@ Json toJson(const Snapshot& snapshot) {
       {"rest", {{"set", snapshot.rest.set()}, {"plastic", snapshot.rest.plastic()}}},
       {"in_plane", write(snapshot.in_plane)},
       {"held", write(snapshot.held)},
+      {"obstacles", toJson(snapshot.obstacles)},
+      {"grasps", toJson(snapshot.grasps)},
       {"memory",
        {{"contraction", snapshot.solver.contraction},
         {"unchecked", snapshot.solver.unchecked},

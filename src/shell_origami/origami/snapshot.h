@@ -9,7 +9,9 @@
 #include <shell_origami/origami/compliance.h>
 #include <shell_origami/origami/config.h>
 #include <shell_origami/origami/crease_actuation.h>
+#include <shell_origami/origami/grasps.h>
 #include <shell_origami/origami/held_vertices.h>
+#include <shell_origami/origami/obstacles.h>
 
 #include <nlohmann/json.hpp>
 
@@ -39,6 +41,8 @@ struct Snapshot {
   RestShape rest;
   InPlaneSet in_plane;
   HeldVertices held;
+  Obstacles obstacles;
+  Grasps grasps;
   SolverState solver;
   VertexGraph pattern;  ///< of the solver's matrix, where contact made it; otherwise of no vertices
   Counters counters;

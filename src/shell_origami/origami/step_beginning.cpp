@@ -129,6 +129,17 @@ struct Begin {
     }
     return with(std::move(edits));
   }
+  StepBeginning operator()(const AddObstacleStep& step) const {
+    return with({step.obstacles.begin(), step.obstacles.end()});
+  }
+  StepBeginning operator()(const RemoveObstacleStep& step) const {
+    return with({RemoveObstacleEdit{step.ids}});
+  }
+  StepBeginning operator()(const MoveObstacleStep& step) const {
+    return with({MoveObstacleEdit{step.id, step.pose, step.duration}});
+  }
+  StepBeginning operator()(const GraspStep& step) const { return with({step.edit}); }
+  StepBeginning operator()(const ReleaseStep& step) const { return with({ReleaseEdit{step.ids}}); }
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <shell_origami/node/draw/ground.h>
 #include <shell_origami/node/draw/marker.h>
+#include <shell_origami/node/draw/obstacle_marker.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@ using Points = Eigen::Matrix3Xd;
 
 const std_msgs::ColorRGBA kBorder = color(0.22, 0.16, 0.14);
 const std_msgs::ColorRGBA kPin = color(0.10, 0.55, 0.25);
+const std_msgs::ColorRGBA kGrasp = color(0.90, 0.55, 0.10);
 
 /// Distance of a side from the middle of the paper, over its size: rviz tells the sides apart, and
 /// folded layers do not mix.
@@ -53,13 +55,21 @@ bool allBelow(const Indices& indices, std::size_t count) {
   return std::all_of(indices.begin(), indices.end(), [&](auto i) { return i < count; });
 }
 
+bool allCornersExist(const msg::Obstacle& obstacle) {
+  const shape_msgs::Mesh& mesh = obstacle.mesh;
+  return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
+    return allBelow(t.vertex_indices, mesh.vertices.size());
+  });
+}
+
 /// A recorded sheet may be anyone's.
 bool allVerticesExist(const msg::Sheet& sheet) {
   const std::size_t count = sheet.flat_positions.size();
   return std::all_of(sheet.triangles.begin(), sheet.triangles.end(),
                      [&](const auto& t) { return allBelow(t.vertex_indices, count); }) &&
          std::all_of(sheet.creases.begin(), sheet.creases.end(),
-                     [&](const auto& c) { return allBelow(c.vertices, count); });
+                     [&](const auto& c) { return allBelow(c.vertices, count); }) &&
+         std::all_of(sheet.obstacles.begin(), sheet.obstacles.end(), allCornersExist);
 }
 
 }  // namespace
@@ -90,8 +100,10 @@ bool MarkerPainter::fits(const msg::SheetState& state) const {
   return state.revision == sheet_.revision && !sheet_.triangles.empty() &&
          state.positions.size() == sheet_.flat_positions.size() &&
          state.creases.size() == sheet_.creases.size() &&
+         state.obstacles.size() == sheet_.obstacles.size() &&
          (state.pressures.empty() || state.pressures.size() == state.positions.size()) &&
-         allBelow(state.pinned, state.positions.size());
+         allBelow(state.pinned, state.positions.size()) &&
+         allBelow(state.grasped, state.positions.size());
 }
 
 visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state) {
@@ -113,14 +125,23 @@ visualization_msgs::MarkerArray MarkerPainter::draw(const msg::SheetState& state
   array.markers.push_back(side(false, middle, normal, colours));
   array.markers.push_back(creases(tops, state));
   array.markers.push_back(border(tops));
-  array.markers.push_back(pins(middle, state));
+  array.markers.push_back(held("pins", middle, state.pinned, kPin));
+  array.markers.push_back(held("grasps", middle, state.grasped, kGrasp));
   array.markers.push_back(contactPoints(state));
-  const double ground = groundUnder(middle, size_, sheet_.ground);
+  array.markers.push_back(
+      obstacleMarker(sheet_.obstacles, state.obstacles, middle, size_, header_));
+  const double ground = this->ground(middle, state);
   array.markers.push_back(shadow(middle, size_, ground, sheet_, header_));
   array.markers.push_back(groundGrid(middle, size_, ground, header_));
   labels_.draw(sheet_, state, middle, normal, size_, array);
   if (showsPressures()) array.markers.push_back(pressureLabel(state, middle, size_, header_));
   return array;
+}
+
+/// The height of the table that the paper is above, or else of the ground.
+double MarkerPainter::ground(const Points& points, const msg::SheetState& state) const {
+  const auto table = tableHeight(sheet_.obstacles, state.obstacles, size_);
+  return table ? *table : groundUnder(points, size_, sheet_.ground);
 }
 
 /// Sums of the triangles' area vectors, normalised; zero where they cancel.
@@ -188,12 +209,13 @@ MarkerPainter::Marker MarkerPainter::border(const std::vector<Points>& sides) co
   return finished(marker);
 }
 
-MarkerPainter::Marker MarkerPainter::pins(const Points& points,
-                                          const msg::SheetState& state) const {
-  Marker marker = newMarker("pins", Marker::SPHERE_LIST, header_);
+MarkerPainter::Marker MarkerPainter::held(const std::string& name, const Points& points,
+                                          const std::vector<std::uint32_t>& vertices,
+                                          const std_msgs::ColorRGBA& color) const {
+  Marker marker = newMarker(name, Marker::SPHERE_LIST, header_);
   marker.scale.x = marker.scale.y = marker.scale.z = size_ / 50;
-  marker.color = kPin;
-  for (const std::uint32_t v : state.pinned) marker.points.push_back(markerPoint(points.col(v)));
+  marker.color = color;
+  for (const std::uint32_t v : vertices) marker.points.push_back(markerPoint(points.col(v)));
   return finished(marker);
 }
 

@@ -46,9 +46,12 @@ class MarkerPainter {
               const std::vector<SheetColours::Sides>& colours) const;
   Marker creases(const std::vector<Points>& sides, const msg::SheetState& state) const;
   Marker border(const std::vector<Points>& sides) const;
-  Marker pins(const Points& points, const msg::SheetState& state) const;
+  Marker held(const std::string& name, const Points& points,
+              const std::vector<std::uint32_t>& vertices, const std_msgs::ColorRGBA& color) const;
   Marker contactPoints(const msg::SheetState& state) const;
   Points normals(const Points& points) const;
+
+  double ground(const Points& points, const msg::SheetState& state) const;
 
   Labels labels_;
   msg::Sheet sheet_;

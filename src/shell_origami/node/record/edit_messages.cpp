@@ -3,6 +3,7 @@
 #include <shell_origami/base/bounded_json.h>
 #include <shell_origami/base/error.h>
 #include <shell_origami/node/conversions.h>
+#include <shell_origami/origami/obstacle_json.h>
 
 #include <array>
 #include <cstdint>
@@ -54,6 +55,12 @@ struct IntoMessage {
                   std::vector<std::uint32_t>& field) const {
     field.assign(value.begin(), value.end());
   }
+  void operator()(const std::string& value, std::vector<std::string>& field) const {
+    field = {value};
+  }
+  void operator()(const ObstacleShape& value, std::vector<std::uint8_t>& field) const {
+    field = Json::to_cbor(toJson(value));
+  }
   /// Records name two vertices by the line between them.
   void operator()(const decltype(FoldEdit::where)& value, std::string& crease,
                   std::vector<geometry_msgs::Point>& line) const {
@@ -87,6 +94,17 @@ struct FromMessage {
                   const std::vector<std::uint32_t>& field) const {
     if (field.size() < 2) reject("a recorded edge has ", field.size(), " vertices, not two");
     value = {field[0], field[1]};
+  }
+  void operator()(std::string& value, const std::vector<std::string>& field) const {
+    if (field.size() != 1) reject("an edit of ", field.size(), " ids, not of one");
+    value = field[0];
+  }
+  void operator()(ObstacleShape& value, const std::vector<std::uint8_t>& field) const {
+    try {
+      value = shapeFrom(parseCbor(field));
+    } catch (const Json::exception& error) {
+      reject("a recorded obstacle has no shape: ", error.what());
+    }
   }
   void operator()(decltype(FoldEdit::where)& value, const std::string& crease,
                   const std::vector<geometry_msgs::Point>& line) const {
@@ -146,6 +164,44 @@ void linkFields(const Link& link, ConfigureEdit*, Edit& edit, Message& message) 
   link(edit.live.fold_duration, message.duration);
 }
 
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, AddObstacleEdit*, Edit& edit, Message& message) {
+  link(edit.id, message.ids);
+  link(edit.shape, message.shape);
+  link(edit.pose, message.obstacle_pose);
+  link(edit.friction, message.friction);
+  link(edit.frame, message.frame_id);
+  link(edit.frame_pose, message.pose);
+}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, RemoveObstacleEdit*, Edit& edit, Message& message) {
+  link(edit.ids, message.ids);
+}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, MoveObstacleEdit*, Edit& edit, Message& message) {
+  link(edit.id, message.ids);
+  link(edit.pose, message.obstacle_pose);
+  link(edit.duration, message.duration);
+}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, GraspEdit*, Edit& edit, Message& message) {
+  link(edit.id, message.ids);
+  link(edit.where, message.vertices);
+  link(edit.firmness.stiffness, message.stiffness);
+  link(edit.firmness.max_force, message.max_force);
+  link(edit.firmness.reach, message.reach);
+  link(edit.frame, message.frame_id);
+  link(edit.pose, message.pose);
+}
+
+template <class Link, class Edit, class Message>
+void linkFields(const Link& link, ReleaseEdit*, Edit& edit, Message& message) {
+  link(edit.ids, message.ids);
+}
+
 struct Kind {
   std::string name;
   void (*write)(const Edit& edit, msg::Edit& message);
@@ -169,10 +225,19 @@ Kind kind(const std::string& name) {
 /// In the order of the variant.
 const std::array<Kind, std::variant_size_v<Edit>>& kinds() {
   static const std::array<Kind, std::variant_size_v<Edit>> kKinds = {
-      kind<FoldEdit>(msg::Edit::FOLD),   kind<PinEdit>(msg::Edit::PIN),
-      kind<UnpinEdit>(msg::Edit::UNPIN), kind<AddVertexEdit>(msg::Edit::ADD_VERTEX),
-      kind<CarryEdit>(msg::Edit::CARRY), kind<SettleEdit>(msg::Edit::SETTLE),
-      kind<StopEdit>(msg::Edit::STOP),   kind<ConfigureEdit>(msg::Edit::CONFIGURE)};
+      kind<FoldEdit>(msg::Edit::FOLD),
+      kind<PinEdit>(msg::Edit::PIN),
+      kind<UnpinEdit>(msg::Edit::UNPIN),
+      kind<AddVertexEdit>(msg::Edit::ADD_VERTEX),
+      kind<CarryEdit>(msg::Edit::CARRY),
+      kind<SettleEdit>(msg::Edit::SETTLE),
+      kind<StopEdit>(msg::Edit::STOP),
+      kind<ConfigureEdit>(msg::Edit::CONFIGURE),
+      kind<AddObstacleEdit>(msg::Edit::ADD_OBSTACLE),
+      kind<RemoveObstacleEdit>(msg::Edit::REMOVE_OBSTACLE),
+      kind<MoveObstacleEdit>(msg::Edit::MOVE_OBSTACLE),
+      kind<GraspEdit>(msg::Edit::GRASP),
+      kind<ReleaseEdit>(msg::Edit::RELEASE)};
   return kKinds;
 }
 
@@ -183,7 +248,7 @@ msg::Edit editMessage(const EditRecord& record) {
   message.number = record.number;
   message.step = record.step;
   message.revision = record.revision;
-  message.pose = poseMessage({});
+  message.pose = message.obstacle_pose = poseMessage({});
   const Kind& kind = kinds()[record.edit.index()];
   message.kind = kind.name;
   kind.write(record.edit, message);
@@ -210,7 +275,7 @@ msg::Edit paperMessage(const Session& session, const std::string& kind, const st
   message.revision = session.revision();
   message.kind = kind;
   message.path = path;
-  message.pose = poseMessage({});
+  message.pose = message.obstacle_pose = poseMessage({});
   message.paper = Json::to_cbor(session.toJson());
   return message;
 }
