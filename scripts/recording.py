@@ -10,6 +10,12 @@ from rviz_config import Failure
 SHEET, STATE = rospy.resolve_name("origami/sheet"), rospy.resolve_name("origami/state")
 
 
+def key(message):
+    """What a sheet and its states have in common. Obstacles come without a new revision, and older
+    recordings have none."""
+    return message.revision, len(getattr(message, "obstacles", ()))
+
+
 class Recording:
     """Reads the bag again in every method, because a long run does not fit into memory."""
 
@@ -26,7 +32,7 @@ class Recording:
         for topic in (SHEET, STATE):
             if not self.bag.get_message_count(topic):
                 raise Failure("'%s' holds nothing of %s" % (path, topic))
-        self.sheets = {sheet.revision: sheet for sheet in self._messages(SHEET)}
+        self.sheets = {key(sheet): sheet for sheet in self._messages(SHEET)}
 
     def _messages(self, topic):
         try:
@@ -40,7 +46,7 @@ class Recording:
         (a simulator was reset), time continues."""
         elapsed, last = 0, None
         for state in self._messages(STATE):
-            sheet = self.sheets.get(state.revision)
+            sheet = self.sheets.get(key(state))
             if sheet is None or len(sheet.flat_positions) != len(state.positions):
                 continue
             if last is not None:
@@ -49,7 +55,7 @@ class Recording:
             yield elapsed, state
 
     def sheet_of(self, state):
-        return self.sheets[state.revision]
+        return self.sheets[key(state)]
 
     def frames(self, fps, speed):
         """Returns the states that a film shows, as pairs of the state's number and its count of frames.
