@@ -78,7 +78,7 @@ std::optional<double> tableHeight(const std::vector<msg::Obstacle>& obstacles,
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const Eigen::Isometry3d pose = isometry(poses[i]);
     if (!obstacles[i].half_space || pose.linear()(2, 2) < kLevel) continue;
-    return pose.translation().z() - kTableDepth * size;
+    return pose.translation().z() - kTableDepth / 2 * size;
   }
   return std::nullopt;
 }

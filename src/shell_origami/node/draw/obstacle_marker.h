@@ -20,7 +20,8 @@ visualization_msgs::Marker obstacleMarker(const std::vector<msg::Obstacle>& obst
                                           const Eigen::Matrix3Xd& paper, double size,
                                           const std_msgs::Header& header);
 
-/// Returns the height of a level half space that paper can lie on, as it is drawn [m].
+/// Returns the height of the shadow on a level half space that paper can lie on [m]: between the
+/// paper and the half space as it is drawn.
 std::optional<double> tableHeight(const std::vector<msg::Obstacle>& obstacles,
                                   const std::vector<geometry_msgs::Pose>& poses, double size);
 
