@@ -72,7 +72,7 @@ bool Grasps::arrive(const Positions& positions) {
     grasp.pose = grasp.next;
     std::map<int, GraspedVertex> held;
     for (auto [v, vertex] : grasp.vertices) {
-      const double reach = springOf(grasp, v, {}).reach();
+      const double reach = springOf(grasp, v, Vector3::Zero()).reach();
       const Vector3 at = grasp.pose.fromWorld(positions.col(v));
       const Vector3 way = vertex.place - at;
       if (way.norm() > reach) vertex.place = at + reach * way.normalized();
