@@ -54,8 +54,7 @@ struct NewtonResult {
 /// - A step that runs into something is computed again with a spring at each impact
 ///   (Potential::anticipate). Paper that meets paper in a hundred places would otherwise be stopped
 ///   at each of them in turn.
-/// - Bodies that paper is in the way of come along with the steps, which push the paper ahead:
-/// their
+/// - Bodies whose way is blocked by paper move along with the steps and push the paper ahead: their
 ///   motion is on the right-hand side of the system. Until they have arrived there is no minimum to
 ///   fall to, and steps are taken as far as they are permitted.
 class Newton {

@@ -61,8 +61,8 @@ class BlockTargets {
   std::vector<Target> targets_;
 };
 
-/// What the blocks of vertices that are no unknowns are multiplied by: H_fp d_p, the forces to
-/// first order on the unknowns where prescribed vertices are displaced.
+/// Displacements d_p of prescribed vertices, which are not unknowns, and the forces H_fp d_p that
+/// these cause on the unknowns to first order.
 struct PrescribedMotion {
   Eigen::Matrix3Xd displacements;  ///< one column a vertex, zero where it does not move [m]
   Eigen::Matrix3Xd forces;         ///< of all vertices, those of prescribed ones unused [N]

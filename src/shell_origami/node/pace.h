@@ -1,5 +1,5 @@
 /// \file
-/// What is done so many times a second of ROS time.
+/// Actions that are repeated at a rate in ROS time.
 #pragma once
 
 #include <ros/time.h>

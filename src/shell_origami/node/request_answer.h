@@ -1,5 +1,5 @@
 /// \file
-/// What the services' functions share: answers, and calls from one thread to the other.
+/// Answers to services' requests, and calls from their threads in the node's thread.
 #pragma once
 
 #include <shell_origami/node/message_text.h>

@@ -1,5 +1,5 @@
 /// \file
-/// What a depth camera sees of the paper, on the CPU.
+/// Depth images of the paper, rendered on the CPU.
 #pragma once
 
 #include <shell_origami/sheet/sheet.h>

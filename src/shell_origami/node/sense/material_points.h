@@ -8,8 +8,8 @@
 
 namespace shell_origami {
 
-/// What a cloud and a label image say of a side of the paper. The front is the one that +z of the
-/// flat sheet points out of.
+/// The sides of the paper as numbers in clouds and label images. The front is the one that +z of
+/// the flat sheet points out of.
 constexpr float kFrontSide = 0, kBackSide = 1;
 
 /// A point of the paper, and the triangle in which it lies now.
