@@ -191,6 +191,9 @@ py::list creasesOf(const Simulation& paper) {
   return creases;
 }
 
+using Orientation = std::array<double, 4>;
+constexpr Orientation kUnturned{0, 0, 0, 1};
+
 void defineEdits(py::class_<Simulation>& paper) {
   paper.def(
       "fold",
@@ -207,10 +210,23 @@ void defineEdits(py::class_<Simulation>& paper) {
   paper.def(
       "pin",
       [](Simulation& self, const std::vector<std::int64_t>& vertices,
-         const std::vector<Vector2>& points) { return self.pin(whereOf(vertices, points)); },
-      "Holds vertices where they are: by number, or nearest to flat points [m]. Returns them.",
-      py::arg("vertices") = std::vector<std::int64_t>(),
-      py::arg("points") = std::vector<Vector2>());
+         const std::vector<Vector2>& points, const std::string& frame, const Triple& position,
+         const Orientation& orientation) {
+        return self.pin(whereOf(vertices, points), frame, poseOf(position, orientation));
+      },
+      "Holds vertices where they are: by number, or nearest to flat points [m]. With a frame, "
+      "which "
+      "is at a pose now, they follow it: see carry(). Returns them.",
+      py::arg("vertices") = std::vector<std::int64_t>(), py::arg("points") = std::vector<Vector2>(),
+      py::arg("frame") = "", py::arg("position") = Triple{0, 0, 0},
+      py::arg("orientation") = kUnturned);
+  paper.def(
+      "carry",
+      [](Simulation& self, const std::string& frame, const Triple& position,
+         const Orientation& orientation) { self.carry(frame, poseOf(position, orientation)); },
+      "Moves a frame to a pose within the next step, with the vertices, grasps and obstacles that "
+      "it carries. The orientation is a quaternion (x, y, z, w).",
+      py::arg("frame"), py::arg("position"), py::arg("orientation") = kUnturned);
   paper.def(
       "unpin",
       [](Simulation& self, const std::vector<std::int64_t>& vertices) {
@@ -231,28 +247,25 @@ void defineEdits(py::class_<Simulation>& paper) {
 }
 
 void defineObstacles(py::class_<Simulation>& paper) {
-  using Orientation = std::array<double, 4>;
-  constexpr Orientation kNone{0, 0, 0, 1};
   paper.def(
       "add_obstacle",
       [](Simulation& self, const std::string& id, bool plane, std::optional<Triple> box,
          std::optional<double> sphere, std::optional<std::array<double, 2>> cylinder,
          const std::string& mesh, const Triple& position, const Orientation& orientation,
-         std::optional<double> friction) {
-        self.apply(AddObstacleEdit{id,
-                                   shapeOf({plane, box, sphere, cylinder, mesh}),
-                                   poseOf(position, orientation),
-                                   friction,
-                                   "",
-                                   {}});
+         std::optional<double> friction, const std::string& frame) {
+        // A frame that carries an obstacle is where the obstacle is.
+        const Pose pose = poseOf(position, orientation);
+        self.apply(AddObstacleEdit{id, shapeOf({plane, box, sphere, cylinder, mesh}),
+                                   frame.empty() ? pose : Pose{}, friction, frame, pose});
       },
       "Puts a rigid body beside the paper: the half space below the plane z = 0 of its pose, a box "
       "of a size, a sphere of a radius, a cylinder of (radius, length) about its z axis, or the "
-      "mesh of a file [m]. The orientation is a quaternion (x, y, z, w).",
+      "mesh of a file [m]. The orientation is a quaternion (x, y, z, w). A frame of the same pose "
+      "carries it: see carry().",
       py::arg("id"), py::arg("plane") = false, py::arg("box") = py::none(),
       py::arg("sphere") = py::none(), py::arg("cylinder") = py::none(), py::arg("mesh") = "",
-      py::arg("position") = Triple{0, 0, 0}, py::arg("orientation") = kNone,
-      py::arg("friction") = py::none());
+      py::arg("position") = Triple{0, 0, 0}, py::arg("orientation") = kUnturned,
+      py::arg("friction") = py::none(), py::arg("frame") = "");
   paper.def(
       "move_obstacle",
       [](Simulation& self, const std::string& id, const Triple& position,
@@ -260,7 +273,7 @@ void defineObstacles(py::class_<Simulation>& paper) {
         self.apply(MoveObstacleEdit{id, poseOf(position, orientation), duration});
       },
       "Moves an obstacle to a pose within a duration [s], at a constant speed.", py::arg("id"),
-      py::arg("position"), py::arg("orientation") = kNone, py::arg("duration") = 1.0);
+      py::arg("position"), py::arg("orientation") = kUnturned, py::arg("duration") = 1.0);
   paper.def(
       "remove_obstacles",
       [](Simulation& self, const std::vector<std::string>& ids) {
@@ -271,16 +284,25 @@ void defineObstacles(py::class_<Simulation>& paper) {
   paper.def(
       "grasp",
       [](Simulation& self, const std::string& id, const std::vector<std::int64_t>& vertices,
-         const std::vector<Vector2>& points, double stiffness, double max_force, double reach) {
+         const std::vector<Vector2>& points, double stiffness, double max_force, double reach,
+         const std::string& frame, const Triple& position, const Orientation& orientation) {
         return self
-            .apply(GraspEdit{id, whereOf(vertices, points), {stiffness, max_force, reach}, "", {}})
+            .apply(GraspEdit{id,
+                             whereOf(vertices, points),
+                             {stiffness, max_force, reach},
+                             frame,
+                             poseOf(position, orientation)})
             .vertices;
       },
       "Holds vertices softly where they are: by springs of a stiffness [N/m] up to a force [N], of "
-      "all of them together; beyond it they slip, and farther than `reach` [m] they are lost.",
+      "all of them together; beyond it they slip, and farther than `reach` [m] they are lost. With "
+      "a "
+      "frame, which is at a pose now, they follow it: see carry().",
       py::arg("id"), py::arg("vertices") = std::vector<std::int64_t>(),
       py::arg("points") = std::vector<Vector2>(), py::arg("stiffness") = Firmness().stiffness,
-      py::arg("max_force") = Firmness().max_force, py::arg("reach") = Firmness().reach);
+      py::arg("max_force") = Firmness().max_force, py::arg("reach") = Firmness().reach,
+      py::arg("frame") = "", py::arg("position") = Triple{0, 0, 0},
+      py::arg("orientation") = kUnturned);
   paper.def(
       "release",
       [](Simulation& self, const std::vector<std::string>& ids) {

@@ -65,50 +65,67 @@ TEST(RestShape, ARollSurvivesEdgeMaking) {
   }
 }
 
-/// A sheet bent to a curvature along y, as far as it takes one.
+/// A sheet bent around an axis of some direction [rad].
 struct Bent {
+  explicit Bent(double axis = M_PI / 2) : x(rolledUp(sheet, axis)) {}
+
+  void yield(const Material& material) { rest.yield(material, fit, x, shell, state); }
+
   Sheet sheet = paper();
   RestShape rest{NaturalCurvature{}, sheet};
+  CurvatureFit fit{sheet};
   Shell shell{sheet, {}};
   RestState state = shell.restState();
-  Positions x = rolledUp(sheet, 1.5708);
+  Positions x;
 };
 
-TEST(RestShape, PaperBentFurtherThanItsYieldCurvatureKeepsTheExcess) {
-  for (const double hardening : {0.0, 0.5, -0.3}) {
-    Bent bent;
-    Material material;
-    material.yield_curvature = 20;
-    material.hardening = hardening;
-    bent.rest.yield(material, bent.x, bent.shell, bent.state);
-    int yielded = 0;
-    for (int j = 0; j < static_cast<int>(bent.shell.hinges().size()); ++j) {
-      const Hinge& hinge = bent.shell.hinges()[j];
-      const double angle = bent.shell.foldAngle(j, bent.x), curvature = angle / hinge.width;
-      const double excess = std::max(0.0, std::abs(curvature) - 20);
-      EXPECT_NEAR(bent.state.angles[j].radians,
-                  std::copysign(excess / (1 + hardening) * hinge.width, angle), 1e-12);
-      yielded += excess > 0;
+Material soft(double yield_curvature, double hardening) {
+  Material material;
+  material.yield_curvature = yield_curvature;
+  material.hardening = hardening;
+  return material;
+}
+
+TEST(RestShape, PaperBentFurtherThanItsYieldCurvatureKeepsTheExcessInEveryDirection) {
+  constexpr double kYield = 20;
+  for (const double axis : {0.0, 0.5, M_PI / 2, 2.5}) {
+    for (const double hardening : {0.0, 0.5, -0.3}) {
+      Bent bent(axis);
+      bent.yield(soft(kYield, hardening));
+      const double kept = (kCurvature - kYield) / (1 + hardening) / kCurvature;
+      for (std::size_t j = 0; j < bent.shell.hinges().size(); ++j) {
+        const double angle = bent.shell.foldAngle(static_cast<int>(j), bent.x);
+        // Chords of the cylinder bend by (kappa h)^2 / 24 less than its arcs, 0.3 %; beside the
+        // border the fit of the curvature is 2 % off. Both are a part of kappa, of which a third is
+        // kept.
+        EXPECT_NEAR(bent.state.angles[j].radians, kept * angle,
+                    0.025 / (1 + hardening) * std::abs(angle) + 1e-12);
+      }
     }
-    EXPECT_GT(yielded, 50);
-    // Held there it yields no further; the law is a rate-independent one.
-    const double before = bent.state.angles[10].radians;
-    bent.rest.yield(material, bent.x, bent.shell, bent.state);
-    EXPECT_NEAR(bent.state.angles[10].radians, before, 1e-12);
   }
 }
 
-TEST(RestShape, ElasticPaperKeepsNothing) {
+TEST(RestShape, HeldWhereItYieldedPaperYieldsNoFurther) {
   Bent bent;
-  bent.rest.yield({}, bent.x, bent.shell, bent.state);
-  for (const FoldAngle& angle : bent.state.angles) EXPECT_EQ(angle.radians, 0);
+  bent.yield(soft(20, 0.5));
+  const RestState before = bent.state;
+  bent.yield(soft(20, 0.5));
+  for (std::size_t j = 0; j < before.angles.size(); ++j) {
+    EXPECT_NEAR(bent.state.angles[j].radians, before.angles[j].radians, 1e-3 * 0.3);
+  }
+}
+
+TEST(RestShape, PaperBentLessThanItsYieldCurvatureKeepsNothing) {
+  for (const Material& material : {Material(), soft(1.1 * kCurvature, 0)}) {
+    Bent bent;
+    bent.yield(material);
+    for (const FoldAngle& angle : bent.state.angles) EXPECT_EQ(angle.radians, 0);
+  }
 }
 
 TEST(RestShape, WhatYieldedSurvivesEdgeMaking) {
   Bent bent;
-  Material material;
-  material.yield_curvature = 10;
-  bent.rest.yield(material, bent.x, bent.shell, bent.state);
+  bent.yield(soft(10, 0));
   const Sheet before = bent.sheet;
   std::vector<double> set(before.edges().size());
   for (std::size_t j = 0; j < bent.shell.hinges().size(); ++j) {

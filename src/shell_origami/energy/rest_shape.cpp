@@ -64,23 +64,28 @@ void RestShape::follow(const Remap& remap, const Sheet& after) {
   roll(after);
 }
 
-void RestShape::yield(const Material& material, const Positions& positions, const Shell& shell,
-                      RestState& rest) {
+void RestShape::yield(const Material& material, const CurvatureFit& fit, const Positions& positions,
+                      const Shell& shell, RestState& rest) {
   if (material.yield_curvature == 0) return;
+  std::vector<int> hinges;
+  std::vector<double> bends;  // of each of them, from rest [rad]
   for (int j = 0; j < static_cast<int>(shell.hinges().size()); ++j) {
-    const Hinge& hinge = shell.hinges()[j];
-    if (hinge.crease >= 0) continue;
-    const double bend = shell.foldAngle(j, positions) - rest.angles[j].radians;
+    if (shell.hinges()[j].crease >= 0) continue;
+    hinges.push_back(j);
+    bends.push_back(shell.foldAngle(j, positions) - rest.angles[j].radians);
+  }
+  const std::vector<Curvature> curvatures = fit.edgeCurvatures(bends);
+  for (std::size_t i = 0; i < hinges.size(); ++i) {
+    const int edge = shell.hinges()[hinges[i]].edge;
+    const double bent = std::abs(largestPrincipal(curvatures[i]));
     const double limit =
-        std::max(0.0, material.yield_curvature + material.hardening * plastic_[hinge.edge]);
-    const double excess = std::abs(bend) / hinge.width - limit;
-    if (excess <= 0) continue;
-    const double flow = std::min(excess / (1 + material.hardening), std::abs(bend) / hinge.width);
-    plastic_[hinge.edge] += flow;
-    double& set = set_[hinge.edge];
-    set = std::clamp(set + std::copysign(flow * hinge.width, bend), -kLastSet - rolled_[hinge.edge],
-                     kLastSet - rolled_[hinge.edge]);
-    Shell::setRestAngle(j, rolled_[hinge.edge] + set, rest);
+        std::max(0.0, material.yield_curvature + material.hardening * plastic_[edge]);
+    if (bent <= limit) continue;
+    const double flow = std::min((bent - limit) / (1 + material.hardening), bent);
+    plastic_[edge] += flow;
+    set_[edge] = std::clamp(set_[edge] + flow / bent * bends[i], -kLastSet - rolled_[edge],
+                            kLastSet - rolled_[edge]);
+    Shell::setRestAngle(hinges[i], rolled_[edge] + set_[edge], rest);
   }
 }
 

@@ -3,6 +3,7 @@
 /// beyond yield.
 #pragma once
 
+#include <shell_origami/energy/curvature.h>
 #include <shell_origami/energy/shell.h>
 #include <shell_origami/sheet/remap.h>
 
@@ -32,11 +33,14 @@ class RestShape {
   void apply(const Shell& shell, RestState& rest) const;
   /// Carries what yielding left over an edit: a part of an edge keeps that edge's.
   void follow(const Remap& remap, const Sheet& after);
-  /// Return map: where a hinge is bent further from rest than the yield curvature, the excess
-  /// becomes rest, up to the hardening, and `rest` gets the new rest angles. The curvature of a
-  /// hinge is its angle over two thirds of its triangles' mean height, the distance between them.
-  void yield(const Material& material, const Positions& positions, const Shell& shell,
-             RestState& rest);
+  /// Return map: where the paper is bent further from rest than the yield curvature, the excess
+  /// becomes rest, less what the hardening bears, and `rest` gets the new rest angles. Of a sheet
+  /// bent to kappa in whatever direction (kappa - kappa_y) / (1 + hardening) stays. The bend of a
+  /// hinge is the largest principal curvature there, as `fit` of the same sheet has it; hinges
+  /// yield by the same part of their angle in all directions (after Gingold et al., A Discrete
+  /// Model for Inelastic Deformation of Thin Shells, 2004).
+  void yield(const Material& material, const CurvatureFit& fit, const Positions& positions,
+             const Shell& shell, RestState& rest);
 
  private:
   void roll(const Sheet& sheet);

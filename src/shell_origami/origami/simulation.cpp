@@ -170,6 +170,7 @@ void Simulation::topologyChanged() {
   remakeObstacles();
   remakeSprings();
   rest_.apply(shell_.shell(), shell_.rest);
+  if (config_.material.yield_curvature > 0) curvature_fit_ = CurvatureFit(sheet_);
   in_plane_.apply(shell_.shell(), shell_.rest);
   updateRestState(time_);
   pinsChanged();
@@ -195,7 +196,7 @@ void Simulation::updateRestState(double time) {
 void Simulation::giveWay(const Positions& positions) {
   creases_.relaxFreeCreases(time_, config_.solver.time_step, sheet_, shell_.shell(), positions);
   creases_.yield(time_, config_.material, shell_.shell(), positions);
-  rest_.yield(config_.material, positions, shell_.shell(), shell_.rest);
+  rest_.yield(config_.material, curvature_fit_, positions, shell_.shell(), shell_.rest);
   updateRestState(time_);
   if (compliance_.hardening() && contactOn()) {
     in_plane_.flow(kInPlaneYield, sheet_, positions, shell_.shell(), shell_.rest);

@@ -225,6 +225,7 @@ class Simulation {
   CreaseActuation creases_;
   Compliance compliance_;
   RestShape rest_;
+  CurvatureFit curvature_fit_;  ///< of paper that yields where it is bent
   InPlaneSet in_plane_;
   HeldVertices held_;
   Grasps grasps_;

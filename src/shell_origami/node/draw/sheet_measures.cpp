@@ -1,6 +1,6 @@
 #include <shell_origami/node/draw/sheet_measures.h>
 
-#include <Eigen/LU>
+#include <shell_origami/energy/dihedral.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,34 +23,6 @@ std::set<EdgeEnds> creaseEdges(const msg::Sheet& sheet) {
   return edges;
 }
 
-/// A symmetric matrix as (xx, sqrt 2 xy, yy), so that its norm is the matrix's.
-double largestPrincipal(const Vector3& m) {
-  const double mean = (m[0] + m[2]) / 2;
-  const double radius = std::hypot((m[0] - m[2]) / 2, m[1] / std::sqrt(2.0));
-  return mean < 0 ? mean - radius : mean + radius;
-}
-
-/// Where a surface of the curvature (xx, sqrt 2 xy, yy), level at the origin, is at p: by the three
-/// entries of its curvature [m^2].
-Vector3 lift(const Vector2& p) {
-  return {p.x() * p.x() / 2, p.x() * p.y() / std::sqrt(2.0), p.y() * p.y() / 2};
-}
-
-/// An edge of the flat sheet.
-struct FlatEdge {
-  Vector2 a, b;
-
-  double height(const Vector2& apex) const {
-    return std::abs(doubleArea(a, b, apex)) / (b - a).norm();
-  }
-  /// How steeply the triangle to the apex rises from the edge, its corners on a curved surface: by
-  /// the three entries of the curvature [m].
-  Vector3 rise(const Vector2& apex) const {
-    const double foot = (b - a).dot(apex - a) / (b - a).squaredNorm();
-    return (lift(apex - a) - foot * lift(b - a)) / height(apex);
-  }
-};
-
 }  // namespace
 
 double sheetSize(const msg::Sheet& sheet) {
@@ -71,7 +43,6 @@ SheetMeasures::SheetMeasures(const msg::Sheet& sheet) {
     membranes_.emplace_back(std::array<Vector2, 3>{flat[v[0]], flat[v[1]], flat[v[2]]}, Material());
   }
   addBends(sheet, flat);
-  fitBends();
 }
 
 void SheetMeasures::addBends(const msg::Sheet& sheet, const std::vector<Vector2>& flat) {
@@ -87,47 +58,17 @@ void SheetMeasures::addBends(const msg::Sheet& sheet, const std::vector<Vector2>
     }
   }
   for (const EdgeEnds& edge : creaseEdges(sheet)) sides.erase(edge);
+  std::vector<BentEdge> edges;
   for (const auto& [both, pair] : sides) {
     if (pair.size() != 2) continue;
     const Side &left = pair[0], &right = pair[1];
-    const FlatEdge edge{flat[left.from], flat[left.to]};
-    const Vector2 &above = flat[left.apex], &below = flat[right.apex];
-    // As wide as the shell's own hinge: two thirds of the mean height.
-    const double width = (edge.height(above) + edge.height(below)) / 3;
-    bends_.push_back({{left.from, left.to, left.apex, right.apex},
-                      {left.triangle, right.triangle},
-                      (edge.rise(above) + edge.rise(below)) / width,
-                      width});
+    bends_.push_back({left.from, left.to, left.apex, right.apex});
+    edges.push_back({flat[left.from],
+                     flat[left.to],
+                     {flat[left.apex], flat[right.apex]},
+                     {static_cast<int>(left.triangle), static_cast<int>(right.triangle)}});
   }
-}
-
-/// Least squares: a triangle's curvature is the one under which its edges would bend as they do.
-/// Next to creases and the border there are fewer edges than the three that tell a curvature: the
-/// neighbours say the rest, and what they do not know either is taken as small as it can be.
-void SheetMeasures::fitBends() {
-  constexpr double kSmall = 1e-3;
-  std::vector<Eigen::Matrix3d> sums(triangles_.size(), Eigen::Matrix3d::Zero());
-  for (const Bend& bend : bends_) {
-    for (const std::uint32_t t : bend.triangles) {
-      sums[t] += bend.direction * bend.direction.transpose();
-    }
-  }
-  for (const Eigen::Matrix3d& sum : withNeighbours(sums)) {
-    fits_.push_back((sum + kSmall * Eigen::Matrix3d::Identity()).inverse());
-  }
-}
-
-/// Each triangle's entry and, for little, those of the triangles across its bends.
-template <class Entry>
-std::vector<Entry> SheetMeasures::withNeighbours(const std::vector<Entry>& own) const {
-  constexpr double kWeight = 0.1;
-  std::vector<Entry> result = own;
-  for (const Bend& bend : bends_) {
-    const auto [left, right] = bend.triangles;
-    result[left] += kWeight * own[right];
-    result[right] += kWeight * own[left];
-  }
-  return result;
+  fit_ = CurvatureFit(static_cast<int>(triangles_.size()), edges);
 }
 
 std::vector<double> SheetMeasures::strains(const Positions& x) const {
@@ -142,17 +83,13 @@ std::vector<double> SheetMeasures::strains(const Positions& x) const {
 }
 
 std::vector<double> SheetMeasures::curvatures(const Positions& x) const {
-  std::vector<Vector3> sums(triangles_.size(), Vector3::Zero());
-  for (const Bend& bend : bends_) {
-    const auto& v = bend.vertices;
-    const double angle = foldAngle({x.col(v[0]), x.col(v[1]), x.col(v[2]), x.col(v[3])}).radians;
-    for (const std::uint32_t t : bend.triangles) sums[t] += angle / bend.width * bend.direction;
+  std::vector<double> angles;
+  for (const auto& v : bends_) {
+    angles.push_back(foldAngle({x.col(v[0]), x.col(v[1]), x.col(v[2]), x.col(v[3])}).radians);
   }
-  sums = withNeighbours(sums);
   std::vector<double> result;
-  result.reserve(triangles_.size());
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    result.push_back(largestPrincipal(fits_[i] * sums[i]));
+  for (const Curvature& curvature : fit_.curvatures(angles)) {
+    result.push_back(largestPrincipal(curvature));
   }
   return result;
 }

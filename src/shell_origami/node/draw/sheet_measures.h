@@ -2,7 +2,7 @@
 /// How far the paper is stretched and bent, from the messages alone.
 #pragma once
 
-#include <shell_origami/energy/dihedral.h>
+#include <shell_origami/energy/curvature.h>
 #include <shell_origami/energy/membrane.h>
 #include <shell_origami/node/messages.h>
 
@@ -34,23 +34,13 @@ class SheetMeasures {
   std::vector<double> means(const std::vector<float>& of_vertices) const;
 
  private:
-  /// An edge between two triangles that is no crease.
-  struct Bend {
-    std::array<std::uint32_t, 4> vertices;   ///< as HingePoints has them
-    std::array<std::uint32_t, 2> triangles;  ///< left and right of it
-    Vector3 direction;  ///< how much of each entry of a curvature goes into angle / width
-    double width;       ///< over which it turns [m]
-  };
-
   void addBends(const msg::Sheet& sheet, const std::vector<Vector2>& flat);
-  void fitBends();
-  template <class Entry>
-  std::vector<Entry> withNeighbours(const std::vector<Entry>& own) const;
 
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<MembraneElement> membranes_;
-  std::vector<Bend> bends_;
-  std::vector<Eigen::Matrix3d> fits_;  ///< from the sum of a triangle's bends to its curvature
+  /// Of each edge between two triangles that is no crease, its vertices as HingePoints has them.
+  std::vector<std::array<std::uint32_t, 4>> bends_;
+  CurvatureFit fit_;
 };
 
 }  // namespace shell_origami
