@@ -1,4 +1,5 @@
 /// Item 5: a sheet rolled to a cylinder stores B/2 kappa^2 per area.
+#include "verify/cylinder.h"
 #include <shell_origami/mesh/triangulate.h>
 #include <shell_origami/origami/simulation.h>
 #include "verify/topics.h"
@@ -15,28 +16,27 @@ const std::string kWhyEnergy =
     "border edges are not hinges: half a row at either side of the sheet stores no energy, in all "
     "one edge over the side";
 
-/// The sheet on a cylinder whose rulings are perpendicular to `direction` [rad].
-Positions rolled(const Sheet& sheet, double direction) {
-  const Vector2 along(std::cos(direction), std::sin(direction)), across(-along.y(), along.x());
-  Positions x(3, sheet.vertexCount());
-  for (int v = 0; v < sheet.vertexCount(); ++v) {
-    const double turn = kCurvature * along.dot(sheet.flatPositions()[v]);
-    const Vector2 at =
-        std::sin(turn) / kCurvature * along + across.dot(sheet.flatPositions()[v]) * across;
-    x.col(v) = Vector3(at.x(), at.y(), (1 - std::cos(turn)) / kCurvature);
-  }
-  return x;
-}
-
 /// Bending energy over that of the plate.
 double energyRatio(const Sheet& sheet, double direction) {
   const Material material;
   const Shell shell(sheet, material);
   const double plate = material.bendingStiffness() / 2 * kCurvature * kCurvature * sheet.area();
-  return shell.bendingEnergy(rolled(sheet, direction), shell.restState()) / plate;
+  return shell.bendingEnergy(onCylinder(sheet, kCurvature, direction), shell.restState()) / plate;
 }
 
 }  // namespace
+
+Positions onCylinder(const Sheet& sheet, double curvature, double direction) {
+  const Vector2 along(std::cos(direction), std::sin(direction)), across(-along.y(), along.x());
+  Positions x(3, sheet.vertexCount());
+  for (int v = 0; v < sheet.vertexCount(); ++v) {
+    const double turn = curvature * along.dot(sheet.flatPositions()[v]);
+    const Vector2 at =
+        std::sin(turn) / curvature * along + across.dot(sheet.flatPositions()[v]) * across;
+    x.col(v) = Vector3(at.x(), at.y(), (1 - std::cos(turn)) / curvature);
+  }
+  return x;
+}
 
 void verifyCylinder(VerificationReport& report) {
   std::vector<double> edges{0.008, 0.004, 0.002};

@@ -201,6 +201,28 @@ TEST_F(RecipeTest, OverridesOneValue) {
             std::string::npos);
 }
 
+TEST_F(RecipeTest, APresetIsOverriddenByWhatElseIsStatedWhereverItStands) {
+  const Material copy_paper = materialOf(PaperKind::kCopyPaper);
+  const Recipe recipe =
+      loadRecipe(write("material: {thickness: 2.0e-4, preset: copy_paper}\nsteps: []"), {}, {}, {});
+  EXPECT_DOUBLE_EQ(recipe.config.material.thickness, 2e-4);
+  EXPECT_DOUBLE_EQ(recipe.config.material.yield_curvature, copy_paper.yield_curvature);
+  const Recipe set = loadRecipe(write(kGood), {}, {}, {{"material/preset", "copy_paper"}});
+  EXPECT_DOUBLE_EQ(set.config.material.hardening, copy_paper.hardening);
+  EXPECT_EQ(refusal("material: {preset: cardboard}\nsteps: []"),
+            refusal("material: {preset: cardboard, thickness: 1.0e-4}\nsteps: []"));
+  EXPECT_NE(refusal("material: {preset: cardboard}\nsteps: []")
+                .find("material/preset must be copy_paper, not 'cardboard'"),
+            std::string::npos);
+}
+
+// B / (2 rho t g) of copy paper is the cube of 48 mm.
+TEST(MaterialOf, CopyPaperBendsAsMeasured) {
+  const Material paper = materialOf(PaperKind::kCopyPaper);
+  EXPECT_NEAR(std::cbrt(paper.bendingStiffness() / (2 * paper.arealDensity() * 9.81)), 0.048, 5e-4);
+  EXPECT_DOUBLE_EQ(paper.arealDensity(), 0.08);
+}
+
 TEST_F(RecipeTest, ARolledSheetCurlsToItsCurvatureAtOnce) {
   // A cylinder of 20 /m: the ends of 0.1 m stand 2 sin(1) / 20 apart.
   Recipe recipe =

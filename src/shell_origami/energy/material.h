@@ -52,4 +52,20 @@ struct Material {
   double arealDensity() const { return density * thickness; }
 };
 
+/// Papers of which every parameter is known.
+enum class PaperKind {
+  /// 80 g/m^2: 0.1 mm thick, with the bending stiffness of a gravito-bending length
+  /// (B / (2 rho t g))^(1/3) of 48 mm, as measured on A4. Bent beyond a radius of 5 mm, a strain of
+  /// 1 % at its faces, it yields: there tensile curves of paper have their knee, beyond which they
+  /// rise about 0.3 = hardening / (1 + hardening) times as steeply as before (Seth & Page, The
+  /// stress strain curve of paper, 1981). However hard it is pressed, a fold then keeps less than
+  /// a half turn, as paper's do (Farain, Phys. Rev. Applied 13, 014031, 2020).
+  kCopyPaper
+};
+
+/// The papers by the names that people write.
+const std::map<std::string, PaperKind>& paperNames();
+
+Material materialOf(PaperKind paper);
+
 }  // namespace shell_origami

@@ -93,6 +93,18 @@ RecipeReader::Handlers parametersIn(const std::string& folder, const RecipeReade
   return handlers;
 }
 
+/// A preset first, wherever it stands: what else is stated overrides it.
+void readMaterial(const RecipeReader& reader, const YAML::Node& node, SimulationConfig& config) {
+  RecipeReader::Handlers handlers = parametersIn("material/", reader, config);
+  handlers["preset"] = [](const YAML::Node&) {};
+  if (node.IsMap() && node["preset"]) {
+    PaperKind paper = PaperKind::kCopyPaper;
+    reader.read(node["preset"], "material/preset", Choice(paperNames(), paper));
+    config.material = materialOf(paper);
+  }
+  reader.readMap(node, "material", handlers);
+}
+
 void readView(const RecipeReader& reader, const YAML::Node& node, View& view) {
   const auto degrees = [&reader](double& angle, const std::string& what) {
     return [&reader, &angle, what](const YAML::Node& value) {
@@ -124,7 +136,8 @@ void readRoot(const RecipeReader& reader, const YAML::Node& root, const fs::path
   SimulationConfig& config = recipe.config;
   YAML::Node steps, names;
   RecipeReader::Handlers handlers = parametersIn("", reader, config);
-  for (const std::string group : {"material", "solver", "compliance", "contact"}) {
+  handlers["material"] = [&](const YAML::Node& node) { readMaterial(reader, node, config); };
+  for (const std::string group : {"solver", "compliance", "contact"}) {
     handlers[group] = [&reader, &config, group](const YAML::Node& node) {
       reader.readMap(node, group, parametersIn(group + "/", reader, config));
     };
