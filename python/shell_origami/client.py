@@ -118,11 +118,16 @@ class Origami(object):
         self.edit = max(self.edit, getattr(answer, 'edit', 0))
         return answer
 
-    def _wait(self, topic, kind, wanted, timeout):
-        """Topics are listened to from when they are first asked for."""
+    def listen(self, topic, kind):
+        """Hears a topic of the node from now on."""
         if topic not in self._latest:
             self._latest[topic] = Latest(self.name + '/' + topic, kind)
-        return self._latest[topic].wait(wanted, timeout)
+        return self._latest[topic]
+
+    def wait(self, topic, kind, wanted=lambda message: True, timeout=None):
+        """Waits, for so many seconds of elapsed time, until the last message of a topic of the node is
+        one that is wanted, and returns it."""
+        return self.listen(topic, kind).wait(wanted, self.timeout if timeout is None else timeout)
 
     # Folding
 
@@ -279,7 +284,7 @@ class Origami(object):
         """Waits until all that was asked for here is done and the paper rests. Returns the state.
 
         timeout: of elapsed time [s]"""
-        state = self._wait('state', SheetState,
+        state = self.wait('state', SheetState,
                            lambda s: s.edits >= self.edit and (s.settled or s.paused), timeout)
         if not state.settled:
             raise OrigamiError('%s is paused, and the paper has not settled' % self.name)
@@ -289,7 +294,7 @@ class Origami(object):
 
     def state(self):
         """Returns a SheetState that shows all that was asked for here."""
-        return self._wait('state', SheetState, lambda s: s.edits >= self.edit, self.timeout)
+        return self.wait('state', SheetState, lambda s: s.edits >= self.edit, self.timeout)
 
     def sheet(self):
         """Returns the flat sheet of state()."""
@@ -304,7 +309,7 @@ class Origami(object):
     def _with_sheet(self):
         for _ in range(10):  # the paper may be edited by others meanwhile
             state = self.state()
-            sheet = self._wait('sheet', Sheet, lambda s: s.revision >= state.revision, self.timeout)
+            sheet = self.wait('sheet', Sheet, lambda s: s.revision >= state.revision, self.timeout)
             if sheet.revision == state.revision:
                 return state, sheet
         raise OrigamiError('the paper of %s is edited all the time' % self.name)
