@@ -212,7 +212,8 @@ void defineEdits(py::class_<Simulation>& paper) {
       [](Simulation& self, const std::vector<std::int64_t>& vertices,
          const std::vector<Vector2>& points, const std::string& frame, const Triple& position,
          const Orientation& orientation) {
-        return self.pin(whereOf(vertices, points), frame, poseOf(position, orientation));
+        return self.apply(PinEdit{whereOf(vertices, points), frame, poseOf(position, orientation)})
+            .vertices;
       },
       "Holds vertices where they are: by number, or nearest to flat points [m]. With a frame, "
       "which "

@@ -43,7 +43,6 @@ struct HalfBend {
   static constexpr int kSteps = 20000;
 
   HalfBend() {
-    const auto weight = [](double w) { return w == 0 ? 2 : 2 * w / std::sqrt(std::sin(w * w)); };
     const double top = std::sqrt(M_PI / 2), dw = top / kSteps;
     for (int i = 0; i < kSteps; ++i) {
       const double w = (i + 0.5) * dw;
@@ -52,7 +51,7 @@ struct HalfBend {
     // From the apex outwards until g + u g' = 0, where g = sqrt(sin psi), g' = -I cos(psi) / 2.
     for (int i = kSteps; i > 0; --i) {
       const double w = (i - 0.5) * dw;
-      u += weight(w) * dw / integral;
+      u += 2 * w / std::sqrt(std::sin(w * w)) * dw / integral;
       psi = std::pow((i - 1) * dw, 2);
       if (std::sqrt(std::sin(psi)) <= u * integral * std::cos(psi) / 2) break;
     }
@@ -90,11 +89,10 @@ class Strip {
 
   void letGo() {
     simulation_.unpin(PinWhere(end()));
-    int steps_left = 1200;
-    do {
-      if (steps_left-- == 0) throw std::runtime_error("the pressed strip does not settle");
+    for (int steps_left = 1200; !simulation_.settled(); --steps_left) {
+      if (steps_left == 0) throw std::runtime_error("the pressed strip does not settle");
       step();
-    } while (!simulation_.settled());
+    }
   }
 
   /// The angle between the flaps on either side of the bend.

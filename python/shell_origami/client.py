@@ -23,8 +23,9 @@ if not hasattr(threading.Thread, 'isAlive'):
 SERVICES = {
     'fold': Fold, 'fold_through': FoldThrough, 'layers': Layers, 'turn_over': Trigger, 'pin': Pin,
     'unpin': Unpin, 'add_vertex': AddVertex, 'add_obstacle': AddObstacle,
-    'remove_obstacle': RemoveObstacle, 'grasp': Grasp, 'release': Release, 'load': Load, 'save': Save, 'step': Step, 'undo': Undo,
-    'settle': Trigger, 'pause': Trigger, 'resume': Trigger, 'reset': Trigger,
+    'remove_obstacle': RemoveObstacle, 'grasp': Grasp, 'release': Release, 'load': Load,
+    'save': Save, 'step': Step, 'undo': Undo, 'settle': Trigger, 'pause': Trigger,
+    'resume': Trigger, 'reset': Trigger,
 }
 
 # For each axiom of ~fold_through the recipe's words for its points, in the order of the request.

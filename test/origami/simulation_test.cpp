@@ -57,6 +57,20 @@ TEST(Simulation, InterruptedRampGoesOnFromWhereItIs) {
 }
 
 // Before its first step it was told as settled, whatever its forces.
+TEST(Simulation, PaperThatWasLetGoHasNotSettled) {
+  SimulationConfig config;
+  config.gravity = {0, 0, -9.81};
+  Simulation simulation(Sheet(triangulateRectangle(0.1, 0.1, 0.02)), config);
+  simulation.pin(std::vector<std::int64_t>{0, 1, 2, 3});
+  while (!simulation.resting()) ASSERT_TRUE(simulation.step().converged);
+  EXPECT_TRUE(simulation.settled());
+  simulation.pin(std::vector<std::int64_t>{0});
+  EXPECT_TRUE(simulation.settled());
+  simulation.unpin();
+  EXPECT_FALSE(simulation.settled());
+  EXPECT_FALSE(Simulation(simulation.snapshot()).settled());
+}
+
 TEST(Simulation, StrainedPaperOfAFileHasNotSettled) {
   Simulation flat = square();
   EXPECT_TRUE(flat.settled());

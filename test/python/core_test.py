@@ -80,6 +80,23 @@ class CoreTest(unittest.TestCase):
         self.assertEqual(paper.unpin(), sorted(held))
         self.assertEqual(paper.pinned, [])
 
+    def test_frames_carry(self):
+        paper = sheet()
+        held = paper.pin(points=[(0, 0)], frame='hand')
+        paper.grasp('soft', points=[(SIDE, SIDE)], stiffness=100, max_force=1, frame='hand')
+        paper.add_obstacle('ball', sphere=0.01, position=(0, 0, 0.02), frame='tool')
+        steps = 60
+        for i in range(1, steps + 1):
+            paper.carry('hand', (0, 0, -0.03 * i / steps))
+            paper.carry('tool', (0, 0, 0.02 + 0.03 * i / steps))
+            paper.step()
+        self.assertAlmostEqual(paper.positions[held, 2][0], -0.03, places=12)
+        paper.step(120)
+        self.assertAlmostEqual(paper.positions[:, 2].mean(), -0.03, delta=1e-3)
+        self.assertEqual(paper.wrenches['ball'][0].tolist(), [0, 0, 0])
+        with self.assertRaisesRegex(ValueError, 'arm'):
+            paper.carry('arm', (0, 0, 0))
+
     def test_snapshots_are_exact(self):
         paper = folded()
         paper.step(10)

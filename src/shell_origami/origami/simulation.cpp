@@ -133,6 +133,7 @@ Simulation::Simulation(const Snapshot& snapshot)
       counters_(snapshot.counters),
       time_(snapshot.time),
       resting_(snapshot.resting),
+      edited_(snapshot.edited),
       left_out_(snapshot.left_out) {
   topologyChanged();
   stepper_.restoreState(snapshot.solver);
@@ -144,7 +145,7 @@ Simulation::Simulation(const Snapshot& snapshot)
 Snapshot Simulation::snapshot() const {
   Snapshot snapshot{config_,   sheet_, motion_,    creases_, compliance_,      rest_,
                     in_plane_, held_,  obstacles_, grasps_,  stepper_.state(), {},
-                    counters_, time_,  resting_,   left_out_};
+                    counters_, time_,  resting_,   edited_,  left_out_};
   if (contact_ || obstacle_contact_) snapshot.pattern = stepper_.pattern();
   snapshot.creases.synchronize(time_);
   return snapshot;
@@ -274,6 +275,7 @@ StepReport Simulation::step() {
     pinsChanged();
   }
   giveWay(motion_.positions);
+  edited_ = false;
   resting_ = atRest();
   if (resting_) {
     stopped_.reset();
@@ -371,10 +373,10 @@ bool Simulation::settled() const {
          rootMeanSquare(accelerations()) < kSettledAcceleration * sheet_.size();
 }
 
-/// Those of the last step, or of paper that has taken none, such as that of a file, those that its
-/// forces give it.
+/// Those of the last step, or of paper that has taken none since it was loaded or edited, those
+/// that its forces give it.
 Positions Simulation::accelerations() const {
-  if (counters_.steps > 0) return motion_.accelerations;
+  if (counters_.steps > 0 && !edited_) return motion_.accelerations;
   Positions forces = Positions::Zero(3, motion_.positions.cols());
   shell_.addGradient(motion_.positions, forces);
   addContactForces(forces);

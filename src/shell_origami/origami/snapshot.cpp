@@ -289,6 +289,7 @@ Snapshot read(const Json& json) {
           countersFrom(json.at("counters")),
           json.at("time"),
           json.at("resting"),
+          json.at("edited"),
           readPairs(json.at("left_out"), triangles)};
 }
 
@@ -379,6 +380,7 @@ Json toJson(const Snapshot& snapshot) {
       {"counters", toJson(snapshot.counters)},
       {"time", snapshot.time},
       {"resting", snapshot.resting},
+      {"edited", snapshot.edited},
       {"left_out", snapshot.left_out}};
 }
 
