@@ -20,7 +20,7 @@ int verify(const std::string& folder, bool fast) {
   for (const auto topic :
        {verifyDerivatives, verifyMomentum, verifyTimeOrder, verifyVibration, verifyCantilever,
         verifyCylinder, verifyCreaseMoment, verifyDegree4, verifyMiura, verifyWaterbomb, verifyCone,
-        verifyFlatFolded, verifyIntegrators, verifyChoices, verifyContact}) {
+        verifyFlatFolded, verifyIntegrators, verifyChoices, verifyContact, verifyObstacles}) {
     topic(report);
   }
   report.write();
