@@ -218,7 +218,11 @@ FoldEdit foldEdit(const msg::Fold::Request& request) {
   return fold;
 }
 
-PinWhere pinWhere(const msg::Pin::Request& request) {
+namespace {
+
+/// Of requests that have the fields in which one chooses vertices.
+template <class Request>
+PinWhere chosenVertices(const Request& request) {
   const geometry_msgs::Point& center = request.center.point;
   const bool has_center = request.radius != 0 || !request.center.header.frame_id.empty() ||
                           center.x != 0 || center.y != 0 || center.z != 0;
@@ -253,6 +257,11 @@ geometry_msgs::Pose poseMessage(const Pose& pose) {
 
 Pose poseFrom(const geometry_msgs::Pose& message) {
   const auto& p = message.position;
+}  // namespace
+
+PinWhere pinWhere(const msg::Pin::Request& request) { return chosenVertices(request); }
+PinWhere pinWhere(const msg::Grasp::Request& request) { return chosenVertices(request); }
+
   const auto& q = message.orientation;
   return {{p.x, p.y, p.z}, {q.w, q.x, q.y, q.z}};
 }

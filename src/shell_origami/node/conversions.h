@@ -44,7 +44,8 @@ void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives);
 ///         two finite ends.
 FoldEdit foldEdit(const msg::Fold::Request& request);
 
-/// The vertices that a request pins. The center of the ball is not transformed from its frame.
+/// The vertices that a request pins or grasps. The center of the ball is not transformed from its
+/// frame.
 /// \throws std::invalid_argument unless exactly one of vertices, points, region and center with
 ///         radius is given, with finite numbers.
 PinWhere pinWhere(const msg::Pin::Request& request);
@@ -52,6 +53,7 @@ PinWhere pinWhere(const msg::Pin::Request& request);
 geometry_msgs::Point pointMessage(const Vector3& p);
 geometry_msgs::Pose poseMessage(const Pose& pose);
 /// As it stands: its quaternion may be of any length.
+PinWhere pinWhere(const msg::Grasp::Request& request);
 Pose poseFrom(const geometry_msgs::Pose& message);
 geometry_msgs::Wrench wrenchMessage(const Wrench& wrench);
 /// \throws std::invalid_argument unless its numbers are finite.
