@@ -106,6 +106,26 @@ msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header) 
   return message;
 }
 
+Sheet sheetFrom(const msg::Sheet& message) {
+  std::vector<Vector2> points;
+  for (const geometry_msgs::Point32& p : message.flat_positions) points.emplace_back(p.x, p.y);
+  std::vector<Triangle> triangles;
+  for (const shape_msgs::MeshTriangle& triangle : message.triangles) {
+    const auto& v = triangle.vertex_indices;
+    triangles.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2])});
+  }
+  return Sheet(Triangulation(std::move(points), std::move(triangles)));
+}
+
+Positions positionsFrom(const msg::SheetState& message) {
+  Positions positions(3, message.positions.size());
+  for (std::size_t v = 0; v < message.positions.size(); ++v) {
+    const geometry_msgs::Point32& p = message.positions[v];
+    positions.col(static_cast<Eigen::Index>(v)) = Vector3(p.x, p.y, p.z);
+  }
+  return positions;
+}
+
 std::vector<msg::CreaseState> creaseStates(const Simulation& simulation) {
   std::vector<msg::CreaseState> states;
   for (const CreaseStatus& crease : simulation.creases()) {
@@ -237,6 +257,11 @@ PinWhere chosenVertices(const Request& request) {
   return Ball{{center.x, center.y, center.z}, request.radius};
 }
 
+}  // namespace
+
+PinWhere pinWhere(const msg::Pin::Request& request) { return chosenVertices(request); }
+PinWhere pinWhere(const msg::Grasp::Request& request) { return chosenVertices(request); }
+
 geometry_msgs::Point pointMessage(const Vector3& p) {
   geometry_msgs::Point point;
   point.x = p.x();
@@ -257,11 +282,6 @@ geometry_msgs::Pose poseMessage(const Pose& pose) {
 
 Pose poseFrom(const geometry_msgs::Pose& message) {
   const auto& p = message.position;
-}  // namespace
-
-PinWhere pinWhere(const msg::Pin::Request& request) { return chosenVertices(request); }
-PinWhere pinWhere(const msg::Grasp::Request& request) { return chosenVertices(request); }
-
   const auto& q = message.orientation;
   return {{p.x, p.y, p.z}, {q.w, q.x, q.y, q.z}};
 }

@@ -21,8 +21,12 @@ namespace shell_origami {
 /// The obstacles as viewers draw them.
 std::vector<msg::Obstacle> obstacleMessages(const Simulation& simulation);
 msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header);
+/// The sheet of a message, without its creases. Its coordinates are rounded to float.
+/// \throws std::invalid_argument where it is none
+Sheet sheetFrom(const msg::Sheet& message);
 std::vector<msg::CreaseState> creaseStates(const Simulation& simulation);
 msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs::Header& header);
+Positions positionsFrom(const msg::SheetState& message);
 /// Adds what only some drawings show.
 void addContactForces(const Simulation& simulation, bool pressures, bool points,
                       msg::SheetState& message);
@@ -49,11 +53,11 @@ FoldEdit foldEdit(const msg::Fold::Request& request);
 /// \throws std::invalid_argument unless exactly one of vertices, points, region and center with
 ///         radius is given, with finite numbers.
 PinWhere pinWhere(const msg::Pin::Request& request);
+PinWhere pinWhere(const msg::Grasp::Request& request);
 
 geometry_msgs::Point pointMessage(const Vector3& p);
 geometry_msgs::Pose poseMessage(const Pose& pose);
 /// As it stands: its quaternion may be of any length.
-PinWhere pinWhere(const msg::Grasp::Request& request);
 Pose poseFrom(const geometry_msgs::Pose& message);
 geometry_msgs::Wrench wrenchMessage(const Wrench& wrench);
 /// \throws std::invalid_argument unless its numbers are finite.
