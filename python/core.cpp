@@ -379,7 +379,8 @@ void defineState(py::class_<Simulation>& paper) {
   paper.def_property_readonly("pinned", [](const Simulation& self) {
     return std::vector<int>(self.pinned().begin(), self.pinned().end());
   });
-  paper.def_property_readonly("max_strain", &Simulation::maxStrain);
+  paper.def_property_readonly("max_strain",
+                              [](const Simulation& self) { return self.maxStrain(); });
   paper.def_property_readonly(
       "energies",
       [](const Simulation& self) {

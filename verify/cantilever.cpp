@@ -1,13 +1,12 @@
 /// Item 4: a clamped sheet under its own weight against the heavy elastica.
 #include "verify/clamped_sheet.h"
 #include "verify/elastica.h"
+#include "verify/hanging.h"
 #include "verify/topics.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <stdexcept>
 
 namespace shell_origami {
 namespace {
@@ -37,18 +36,6 @@ struct Hanging {
   double reach() const { return shape.back().x(); }
 };
 
-/// Steps with critical damping until no point would move by 1e-5 of the length in a period.
-void comeToRest(Simulation& simulation, double speed) {
-  constexpr int kMostSteps = 1000;
-  do {
-    const StepReport report = simulation.step();
-    if (!report.converged) throw std::runtime_error("the cantilever: " + report.failure);
-    if (simulation.counters().steps > kMostSteps) {
-      throw std::runtime_error("the cantilever does not come to rest");
-    }
-  } while (simulation.velocities().colwise().norm().maxCoeff() > speed);
-}
-
 std::vector<Vector2> meanShape(const ClampedSheet& sheet, const Positions& x) {
   std::map<long, std::pair<Vector2, int>> rows;  // by flat x [nm]
   for (int v = 0; v < sheet.sheet.vertexCount(); ++v) {
@@ -63,19 +50,9 @@ std::vector<Vector2> meanShape(const ClampedSheet& sheet, const Positions& x) {
 
 Hanging hang(double gamma, int rows, double aspect) {
   const ClampedSheet sheet = clampedSheet(kLength, aspect, rows);
-  SimulationConfig config;
-  config.material = strip();
-  const double frequency = firstFrequency(config.material, sheet.length);
-  const double speed = std::min(1.0, gamma) * 1e-5 * sheet.length * frequency;
-  config.material.air_damping = 4 * M_PI * frequency;
-  config.gravity.z() = -gamma * config.material.bendingStiffness() /
-                       (config.material.arealDensity() * std::pow(sheet.length, 3));
-  config.solver.gamma = 1;
-  config.solver.time_step = 0.05 / frequency;
-  config.solver.tolerance = speed;
-  Simulation simulation(sheet.sheet, config);
+  Simulation simulation(sheet.sheet, hangingConfig(gamma, sheet.length, sheet.length));
   simulation.pin(sheet.held);
-  comeToRest(simulation, speed);
+  comeToRest(simulation);
   return {2 * sheet.clamp / sheet.length, static_cast<double>(sheet.sheet.triangles().size()),
           meanShape(sheet, simulation.positions())};
 }

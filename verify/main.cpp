@@ -20,7 +20,8 @@ int verify(const std::string& folder, bool fast) {
   for (const auto topic :
        {verifyDerivatives, verifyMomentum, verifyTimeOrder, verifyVibration, verifyCantilever,
         verifyCylinder, verifyCreaseMoment, verifyDegree4, verifyMiura, verifyWaterbomb, verifyCone,
-        verifyFlatFolded, verifyIntegrators, verifyChoices, verifyContact, verifyPressedCrease}) {
+        verifyFlatFolded, verifyIntegrators, verifyChoices, verifyContact, verifyObstacles,
+        verifyPressedCrease}) {
     topic(report);
   }
   report.write();

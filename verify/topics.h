@@ -21,6 +21,7 @@ void verifyFlatFolded(VerificationReport& report);     ///< item 11
 void verifyIntegrators(VerificationReport& report);    ///< item 12, of our own
 void verifyChoices(VerificationReport& report);        ///< items 13 and 14
 void verifyContact(VerificationReport& report);        ///< item 15
+void verifyObstacles(VerificationReport& report);      ///< item 16
 void verifyPressedCrease(VerificationReport& report);  ///< item 17
 
 }  // namespace shell_origami

@@ -23,6 +23,18 @@ TEST(ClosedForms, HeavyElasticaOfTheTables) {
   EXPECT_NEAR(-heavyElastica(1e-3).back().y() / 1e-3, 1 / 8.0, 1e-6);
 }
 
+TEST(ClosedForms, ElasticaOverAnEdgeOfSmallDeflections) {
+  // Euler's beam y'''' = -gamma. Where it lies flat again, y = y' = y'' = 0.
+  const double gamma = 1e-3, lift = std::sqrt(2), slope = lift / 12;
+  const EdgeElastica strip = elasticaOverEdge(gamma);
+  // Terms of the next order are gamma^2 of the first.
+  EXPECT_NEAR(strip.lift, lift, 1e-5);
+  EXPECT_NEAR(strip.slope / gamma, slope, 1e-6);
+  EXPECT_NEAR(-strip.hanging.back().y() / gamma, slope + 1 / 8.0, 1e-6);
+  // Behind the edge y = gamma x^3 (lift - x) / 24 from there on.
+  EXPECT_NEAR(strip.bulge / gamma, std::pow(lift, 4) * 27 / 256 / 24, 1e-6);
+}
+
 TEST(ClosedForms, Degree4AnglesCloseAroundTheVertex) {
   // Turned about each crease in turn, the sheet comes back to where it was.
   for (const Degree4Vertex& vertex : randomDegree4Vertices(10)) {

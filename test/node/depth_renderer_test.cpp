@@ -1,5 +1,5 @@
-// What each pixel sees of planes, of layers and of paper without order is compared with the rays'
-// intersections in closed form.
+// What each pixel sees of planes, of layers, of paper without order and of bodies is compared with
+// the rays' intersections in closed form.
 #include <shell_origami/mesh/triangulate.h>
 #include <shell_origami/node/sense/depth_renderer.h>
 #include <shell_origami/node/sense/material_points.h>
@@ -12,7 +12,9 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace shell_origami {
@@ -34,9 +36,10 @@ struct Seen {
 };
 
 /// What the pixels see, row by row.
-std::vector<Seen> look(const PinholeCamera& camera, const Sheet& sheet, const Positions& points) {
+std::vector<Seen> look(const PinholeCamera& camera, const Sheet& sheet, const Positions& points,
+                       const std::vector<Body>& bodies = {}) {
   DepthRenderer renderer(camera);
-  renderer.render(sheet, points);
+  renderer.render(sheet, bodies, points);
   const std::vector<float> depths = renderer.depths(), labels = renderer.labels(sheet, points);
   std::vector<Seen> pixels;
   for (int row = 0; row < camera.height; ++row) {
@@ -193,6 +196,99 @@ TEST(DepthRenderer, SeesWhatRaysMeet) {
     }
   }
   EXPECT_GT(compared, 15000);
+}
+
+/// The points of a paper, and after them those of bodies at poses in the camera's frame.
+Positions withBodies(const Positions& paper, const std::vector<Body>& bodies,
+                     const std::vector<Eigen::Isometry3d>& poses) {
+  Positions points = paper;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Positions& own = bodies[i].surface->vertices;
+    points.conservativeResize(3, points.cols() + own.cols());
+    points.rightCols(own.cols()) = (poses[i] * own.colwise().homogeneous()).topRows(3);
+  }
+  return points;
+}
+
+Body bodyOf(Surface surface) { return {std::make_shared<const Surface>(std::move(surface)), 0}; }
+
+/// The depth at which a ray meets a box in its frame, or infinity (Kay and Kajiya 1986).
+double boxDepth(const Vector3& size, const Eigen::Isometry3d& pose, const Vector3& ray) {
+  const Vector3 from = pose.inverse().translation(), along = pose.linear().transpose() * ray;
+  double first = -HUGE_VAL, last = HUGE_VAL;
+  for (int k = 0; k < 3; ++k) {
+    const double a = (-size[k] / 2 - from[k]) / along[k], b = (size[k] / 2 - from[k]) / along[k];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  return first < last && first > 0 ? first : HUGE_VAL;
+}
+
+TEST(DepthRenderer, SeesPaperOnATableBesideABox) {
+  const Sheet sheet = sheetOf(0.02);
+  const Eigen::Isometry3d paper = poseAt({0, 0.02, 0.4}, 2.5, {1, 0.1, 0});
+  // The table is below the paper's back, and the camera above it; its patch is far smaller than
+  // the image.
+  const Eigen::Isometry3d table = paper * Eigen::Translation3d(0, 0, -0.01);
+  const Eigen::Isometry3d box = poseAt({0.08, 0, 0.35}, 0.7, {3, 2, 1});
+  Surface patch = planePatch(Vector3::Zero(), 0.01);
+  patch.half_space = true;
+  const Vector3 size(0.05, 0.04, 0.03);
+  const std::vector<Body> bodies{bodyOf(boxSurface(size)), bodyOf(patch)};
+  const auto points =
+      withBodies(placed(sheet, [&](const Vector2& p) { return paper * Vector3(p.x(), p.y(), 0); }),
+                 bodies, {box, table});
+  const auto planeDepth = [](const Eigen::Isometry3d& pose, const Vector3& ray) {
+    const Vector3 normal = pose.linear().col(2);
+    const double depth = normal.dot(pose.translation()) / normal.dot(ray);
+    return depth > 0 ? depth : HUGE_VAL;
+  };
+  int seen[4]{};  // of nothing near enough, the paper, the box, the table
+  PinholeCamera camera;
+  camera.far = 0.5;
+  for (const Seen& pixel : look(camera, sheet, points, bodies)) {
+    double of_paper = planeDepth(paper, pixel.ray);
+    const Vector3 hit = paper.inverse() * (of_paper * pixel.ray);
+    const double inside = std::min({hit.x(), kWide - hit.x(), hit.y(), kHigh - hit.y()});
+    if (std::abs(inside) < 1e-9) continue;  // on the border to rounding
+    if (!(inside > 0)) of_paper = HUGE_VAL;
+    const double of_box = boxDepth(size, box, pixel.ray), of_table = planeDepth(table, pixel.ray);
+    const double nearest = std::min({of_paper, of_box, of_table});
+    if (nearest > camera.far) {
+      EXPECT_EQ(pixel.depth, HUGE_VALF);
+      EXPECT_TRUE(std::isnan(pixel.side));
+      ++seen[0];
+      continue;
+    }
+    // Rounding to float: half of its step.
+    EXPECT_NEAR(pixel.depth, nearest, 6e-8 * nearest);
+    const int what = nearest == of_paper ? 1 : nearest == of_box ? 2 : 3;
+    ++seen[what];
+    if (what == 1) EXPECT_LE(pixel.side, kBackSide);
+    else EXPECT_EQ(pixel.side, kFirstObstacle + what - 2);
+    EXPECT_EQ(std::isnan(pixel.u), what != 1);
+    EXPECT_EQ(std::isnan(pixel.v), what != 1);
+  }
+  for (const int pixels : seen) EXPECT_GT(pixels, 1000);
+}
+
+TEST(DepthRenderer, SeesPaperThatIsPressedOntoABody) {
+  const Sheet sheet = sheetOf(0.02);
+  const Eigen::Isometry3d pose = poseAt({0, 0, 0.3}, M_PI, Vector3::UnitX());
+  const auto paper =
+      placed(sheet, [&](const Vector2& p) { return pose * Vector3(p.x(), p.y(), 0); });
+  Surface patch = planePatch(Vector3::Zero(), 1);
+  patch.half_space = true;
+  const std::vector<Body> bodies{bodyOf(patch)};
+  // Nearer than the steps of float.
+  const Eigen::Isometry3d below = pose * Eigen::Translation3d(0, 0, -1e-9);
+  for (const Seen& pixel :
+       look(PinholeCamera(), sheet, withBodies(paper, bodies, {below}), bodies)) {
+    const Vector2 hit = 0.3 * pixel.ray.head<2>();
+    const double inside = std::min(kWide / 2 - std::abs(hit.x()), kHigh / 2 - std::abs(hit.y()));
+    if (std::abs(inside) < 1e-9) continue;
+    EXPECT_EQ(pixel.side, inside > 0 ? kFrontSide : kFirstObstacle);
+  }
 }
 
 }  // namespace

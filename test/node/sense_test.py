@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""~cloud and the images of ~depth/... agree with ~state, ~sheet and /tf."""
+"""~cloud and the images of ~depth/... agree with ~state, ~sheet, /tf and the obstacles."""
 
 import math
 import time
@@ -8,9 +8,10 @@ import numpy as np
 import rospy
 import rostest
 import tf2_ros
-from geometry_msgs.msg import Point, TransformStamped
+from geometry_msgs.msg import Point, PoseStamped, TransformStamped
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2, PointField
+from shape_msgs.msg import Plane, SolidPrimitive
 
 from origami_client import NodeTest, Origami, Recorder, line, repeat
 
@@ -132,7 +133,9 @@ class SenseTest(NodeTest):
         """Those of one time: depths, labels, camera_info."""
         kinds = (('image', Image), ('label', Image), ('camera_info', CameraInfo))
         heard = [Recorder('/origami/depth/' + name, kind) for name, kind in kinds]
-        label = heard[1].wait(lambda m: m.header.stamp >= stamp)
+        # From when on all of them are heard.
+        begun = max([stamp] + [recorder.wait().header.stamp for recorder in heard])
+        label = heard[1].wait(lambda m: m.header.stamp >= begun)
         found = [recorder.wait(lambda m: m.header.stamp == label.header.stamp) for recorder in heard]
         for recorder in heard:
             recorder.subscriber.unregister()
@@ -209,6 +212,30 @@ class SenseTest(NodeTest):
         labels = self.compare_with_paper(paper, *self.images(paper.stamp))
         self.assertGreater((labels[:, 2] == 1).sum(), 1000)
         self.assertGreater((labels[:, 2] == 0).sum(), 1000)
+
+    def test_the_camera_sees_obstacles(self):
+        """A table under the paper and a block on the table, partly under the paper."""
+        gap = 5e-5  # contact/distance: obstacles are seen that far inside of their surfaces
+        self.origami.do('add_obstacle', id='table', plane=Plane(coef=[0, 0, 1, 0.02]))
+        block = SolidPrimitive(type=SolidPrimitive.BOX, dimensions=[0.04, 0.04, 0.01])
+        pose = PoseStamped()
+        pose.pose.position = Point(SIDE / 2, SIDE, -0.015)
+        pose.pose.orientation.w = 1
+        self.origami.do('add_obstacle', id='block', primitive=block, pose=pose)
+        self.addCleanup(self.origami.do, 'remove_obstacle')
+        self.origami.sheets.wait(lambda sheet: [o.id for o in sheet.obstacles] == ['block', 'table'])
+        image, label, info = self.images(self.origami.state().header.stamp)
+        depth, labels = image_of(image)[:, :, 0], image_of(label)
+        x, y = SIDE / 2 + rays(info)[:, :, 0] * depth, SIDE / 2 - rays(info)[:, :, 1] * depth
+        kinds = ((labels[:, :, 2] == 0, 0.3), (labels[:, :, 2] == 2, 0.31 + gap),
+                 (labels[:, :, 2] == 3, 0.32 + gap))
+        self.assertTrue((sum(seen.astype(int) for seen, _ in kinds) == 1).all())
+        for seen, expected in kinds:
+            self.assertGreater(seen.sum(), 1000)
+            self.assertLess(np.abs(depth[seen] - expected).max(), 2 ** -25)
+        on_block = np.maximum(np.abs(x - SIDE / 2), np.abs(y - SIDE)) < 0.02 - gap
+        np.testing.assert_array_equal(kinds[1][0], on_block & (kinds[1][0] | kinds[2][0]))
+        np.testing.assert_array_equal(np.isfinite(labels[:, :, :2]).all(2), kinds[0][0])
 
     def test_a_moving_camera_is_where_it_was_at_the_stamp(self):
         self.fold()

@@ -2,9 +2,10 @@
 #include <shell_origami/origami/obstacle_json.h>
 #include "test/origami/squares.h"
 
+#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace shell_origami {
 namespace {
@@ -17,16 +18,6 @@ void run(Simulation& simulation, int steps) {
     const StepReport report = simulation.step();
     ASSERT_TRUE(report.converged) << report.failure;
   }
-}
-
-SimulationConfig heavy() {
-  SimulationConfig config;
-  config.gravity = {0, 0, -9.81};
-  return config;
-}
-
-double weightOf(const Simulation& simulation) {
-  return 9.81 * simulation.shell().shell().masses().sum();
 }
 
 TEST(Grasps, BearTheWeightOfPaper) {
@@ -102,15 +93,6 @@ TEST(Grasps, LetGo) {
   EXPECT_EQ(simulation.apply(ReleaseEdit{}).ids, std::vector<std::string>{"hand"});
   run(simulation, 30);
   EXPECT_LT(simulation.positions().row(2).maxCoeff(), -0.3);
-}
-
-std::string rejection(Simulation& simulation, const Edit& edit) {
-  try {
-    simulation.apply(edit);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Grasps, ThatCannotBeAreRejected) {

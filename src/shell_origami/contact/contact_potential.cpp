@@ -72,7 +72,10 @@ ContactPotential::ContactPotential(const Sheet& sheet, const ContactParameters& 
 
 ContactPotential::ContactPotential(const Sheet& sheet, const std::vector<Body>& bodies,
                                    const ContactParameters& parameters)
-    : ContactPotential(CollisionMesh(sheet, bodies), sheet, parameters) {}
+    : ContactPotential(CollisionMesh(sheet, bodies), sheet, parameters) {
+  friction_ = 0;
+  for (const Body& body : bodies) friction_ = std::max(friction_, body.friction);
+}
 
 ContactPotential::ContactPotential(CollisionMesh mesh, const Sheet& sheet,
                                    const ContactParameters& parameters)
@@ -148,6 +151,7 @@ std::shared_ptr<const ContactPotential::Friction> ContactPotential::frictionFrom
     const ContactIterate& at) const {
   auto friction = std::make_shared<Friction>();
   friction->start = at.x;
+  if (friction_ == 0) return friction;
   for (const Contact& contact : at.contacts) {
     const double force = -forceOf(contact);
     // Edges that are nearly parallel have no common normal.
@@ -382,8 +386,12 @@ double smallestGap(const std::vector<Contact>& contacts) {
 std::vector<Contact> ContactPotential::contacts(const Positions& x) const {
   ContactIterate at;
   start(x, at);
+  return contacts(at);
+}
+
+std::vector<Contact> ContactPotential::contacts(const Iterate& at) const {
   std::vector<Contact> within;
-  for (const Contact& contact : at.contacts) {
+  for (const Contact& contact : of(at).contacts) {
     if (contact.closest.distance < contact.pair.reach) within.push_back(contact);
   }
   return within;

@@ -58,6 +58,7 @@ class ContactPotential : public Potential {
 
   /// The pairs within their reach, in a fixed order.
   std::vector<Contact> contacts(const Positions& x) const;
+  std::vector<Contact> contacts(const Iterate& at) const;
   double energy(const Positions& x) const;  ///< [J]
   /// Returns the derivative of a contact's energy by its distance [N]: not positive, as it pushes.
   double forceOf(const Contact& contact) const;
@@ -103,7 +104,9 @@ class ContactPotential : public Potential {
 
   CollisionMesh mesh_;
   BoundingTree tree_;
-  double distance_, stiffness_, friction_, sticking_, margin_;
+  double distance_, stiffness_;
+  double friction_;  ///< the largest coefficient of a pair
+  double sticking_, margin_;
   std::size_t most_;
 };
 

@@ -36,8 +36,8 @@ class ImplicitSolver {
   }
   /// Whether forces at that x may jump within a step.
   bool rough() const { return newton_.rough(); }
-  /// Returns the forces that the paper at that x puts on the vertices of bodies [N].
-  Positions forcesOnBodies(const Positions& x) { return newton_.forcesOnBodies(x); }
+  /// Returns what one of the potentials keeps of that x.
+  Potential::Iterate& reached(const Potential& potential) { return newton_.reached(potential); }
 
  private:
   double tolerance_;

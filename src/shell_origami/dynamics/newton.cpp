@@ -218,11 +218,6 @@ bool Newton::advanceBodies(Positions& x) {
   return false;
 }
 
-Positions Newton::forcesOnBodies(const Positions& x) {
-  objective_.potentialGradient(x, gradient_);
-  return -gradient_.rightCols(bodies_.cols());
-}
-
 /// Begins at x, or, where potentials stopped some vertices on the way there and so stretched the
 /// paper, where it was before, if that is lower.
 bool Newton::begin(const Positions& before, Positions& x) {

@@ -83,8 +83,8 @@ class Newton {
   double potentialChange(const Positions& before, const Positions& x);
   /// Whether forces at that minimum may jump within a step.
   bool rough() const { return objective_.rough(); }
-  /// Returns the forces that the paper at x, that minimum, puts on the vertices of bodies [N].
-  Positions forcesOnBodies(const Positions& x);
+  /// Returns what a potential of that search keeps of the minimum.
+  Potential::Iterate& reached(const Potential& potential) { return objective_.current(potential); }
 
  private:
   /// Where a search along a step begins.

@@ -69,9 +69,10 @@ void Objective::gradient(const Positions& x, Positions& gradient) {
   gradientAt(x, &Term::current, gradient);
 }
 
-void Objective::potentialGradient(const Positions& x, Positions& gradient) {
-  gradient.setZero(3, x.cols());
-  for (Term& term : terms_) term.potential->addGradient(x, *term.current, gradient);
+Potential::Iterate& Objective::current(const Potential& potential) {
+  return *std::find_if(terms_.begin(), terms_.end(), [&](const Term& term) {
+            return term.potential == &potential;
+          })->current;
 }
 
 void Objective::gradientAt(const Positions& x, Place at, Positions& gradient) {

@@ -47,8 +47,8 @@ class Objective {
   double value() const { return value_; }  ///< current [J]
   /// Writes the gradient [N] at the current configuration x.
   void gradient(const Positions& x, Positions& gradient);
-  /// Writes the potentials' part of it, which may be asked for after the search as well.
-  void potentialGradient(const Positions& x, Positions& gradient);
+  /// Returns what a potential keeps of the current configuration. \pre it is one of the sum's
+  Potential::Iterate& current(const Potential& potential);
   /// The potentials' stencils at the current configuration, valid until the next call.
   const std::vector<const Stencils*>& stencils();
   /// Adds the potential's blocks at the current configuration x. \pre gradient(x) was called

@@ -57,11 +57,9 @@ class Stepper {
   StepReport relax(const Potentials& potentials, const Eigen::VectorXd& masses,
                    const std::function<void(const Positions&)>& adapt, Motion& motion);
 
-  /// Returns the forces that the paper puts on the vertices of bodies [N] where the last step or
-  /// relaxation, by an implicit scheme, put it; friction included. \pre it converged
-  Positions forcesOnBodies(const Motion& motion) {
-    return solver_->forcesOnBodies(motion.positions);
-  }
+  /// Returns what a potential keeps of the configuration that the last step or relaxation, by an
+  /// implicit scheme, came to, such as its contacts and their friction. \pre it converged
+  Potential::Iterate& reached(const Potential& potential) { return solver_->reached(potential); }
 
  private:
   /// The arguments of a step.

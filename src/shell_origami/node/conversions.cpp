@@ -106,6 +106,26 @@ msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header) 
   return message;
 }
 
+Sheet sheetFrom(const msg::Sheet& message) {
+  std::vector<Vector2> points;
+  for (const geometry_msgs::Point32& p : message.flat_positions) points.emplace_back(p.x, p.y);
+  std::vector<Triangle> triangles;
+  for (const shape_msgs::MeshTriangle& triangle : message.triangles) {
+    const auto& v = triangle.vertex_indices;
+    triangles.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2])});
+  }
+  return Sheet(Triangulation(std::move(points), std::move(triangles)));
+}
+
+Positions positionsFrom(const msg::SheetState& message) {
+  Positions positions(3, message.positions.size());
+  for (std::size_t v = 0; v < message.positions.size(); ++v) {
+    const geometry_msgs::Point32& p = message.positions[v];
+    positions.col(static_cast<Eigen::Index>(v)) = Vector3(p.x, p.y, p.z);
+  }
+  return positions;
+}
+
 std::vector<msg::CreaseState> creaseStates(const Simulation& simulation) {
   std::vector<msg::CreaseState> states;
   for (const CreaseStatus& crease : simulation.creases()) {
@@ -218,7 +238,11 @@ FoldEdit foldEdit(const msg::Fold::Request& request) {
   return fold;
 }
 
-PinWhere pinWhere(const msg::Pin::Request& request) {
+namespace {
+
+/// Of requests that have the fields in which one chooses vertices.
+template <class Request>
+PinWhere chosenVertices(const Request& request) {
   const geometry_msgs::Point& center = request.center.point;
   const bool has_center = request.radius != 0 || !request.center.header.frame_id.empty() ||
                           center.x != 0 || center.y != 0 || center.z != 0;
@@ -232,6 +256,11 @@ PinWhere pinWhere(const msg::Pin::Request& request) {
   requireFinite("center", center);
   return Ball{{center.x, center.y, center.z}, request.radius};
 }
+
+}  // namespace
+
+PinWhere pinWhere(const msg::Pin::Request& request) { return chosenVertices(request); }
+PinWhere pinWhere(const msg::Grasp::Request& request) { return chosenVertices(request); }
 
 geometry_msgs::Point pointMessage(const Vector3& p) {
   geometry_msgs::Point point;

@@ -21,8 +21,12 @@ namespace shell_origami {
 /// The obstacles as viewers draw them.
 std::vector<msg::Obstacle> obstacleMessages(const Simulation& simulation);
 msg::Sheet sheetMessage(const Session& session, const std_msgs::Header& header);
+/// The sheet of a message, without its creases. Its coordinates are rounded to float.
+/// \throws std::invalid_argument where it is none
+Sheet sheetFrom(const msg::Sheet& message);
 std::vector<msg::CreaseState> creaseStates(const Simulation& simulation);
 msg::SheetState stateMessage(const Session& session, bool paused, const std_msgs::Header& header);
+Positions positionsFrom(const msg::SheetState& message);
 /// Adds what only some drawings show.
 void addContactForces(const Simulation& simulation, bool pressures, bool points,
                       msg::SheetState& message);
@@ -44,10 +48,12 @@ void requireOne(const std::vector<std::pair<std::string, bool>>& alternatives);
 ///         two finite ends.
 FoldEdit foldEdit(const msg::Fold::Request& request);
 
-/// The vertices that a request pins. The center of the ball is not transformed from its frame.
+/// The vertices that a request pins or grasps. The center of the ball is not transformed from its
+/// frame.
 /// \throws std::invalid_argument unless exactly one of vertices, points, region and center with
 ///         radius is given, with finite numbers.
 PinWhere pinWhere(const msg::Pin::Request& request);
+PinWhere pinWhere(const msg::Grasp::Request& request);
 
 geometry_msgs::Point pointMessage(const Vector3& p);
 geometry_msgs::Pose poseMessage(const Pose& pose);

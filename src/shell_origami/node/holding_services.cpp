@@ -10,17 +10,6 @@
 namespace shell_origami {
 namespace {
 
-/// The choice of vertices of a grasp, as that of a pin.
-msg::Pin::Request pinRequest(const msg::Grasp::Request& request) {
-  msg::Pin::Request pin;
-  pin.vertices = request.vertices;
-  pin.points = request.points;
-  pin.region = request.region;
-  pin.center = request.center;
-  pin.radius = request.radius;
-  return pin;
-}
-
 /// Zeros stand for what is by default.
 Firmness firmnessOf(const msg::Grasp::Request& request) {
   Firmness firmness;
@@ -42,28 +31,35 @@ bool Services::waitForCarrier(const std::string& frame) const {
   return true;
 }
 
-/// Takes the center of a ball into the world.
-PinWhere Services::inWorld(PinWhere where, const std_msgs::Header& header) const {
-  if (auto* ball = std::get_if<Ball>(&where)) {
-    ball->center = toWorld("center", ball->center, header, origami_.config().world_frame, tf_);
-  }
-  return where;
+/// Holds the vertices that a request chooses, by `carried` along with the frame that it names or by
+/// `still` in the world. Returns its answer: that it is `doing` so.
+template <class Request, class Response, class Still, class Carried>
+std::string Services::hold(const Request& request, Response& response, const std::string& doing,
+                           Still still, Carried carried) {
+  const std::string& frame = request.frame_id;
+  const bool moves = waitForCarrier(frame);
+  PinWhere where = pinWhere(request);
+  const std_msgs::Header& header = request.center.header;
+  if (std::holds_alternative<Ball>(where)) waitForFrame(header.frame_id);
+  const EditRecord held = inNodeThread([=]() mutable {
+    if (auto* ball = std::get_if<Ball>(&where)) {
+      ball->center = toWorld("center", ball->center, header, origami_.config().world_frame, tf_);
+    }
+    return moves ? carried(where, frame) : still(where);
+  });
+  response.vertices = vertexIds(held.vertices);
+  response.edit = held.number;
+  return doing + " " + vertexCount(held.vertices.size()) + (moves ? " by frame " + frame : "");
 }
 
 bool Services::pin(msg::Pin::Request& request, msg::Pin::Response& response) {
   return answer("pin", response, [&] {
-    const bool carried = waitForCarrier(request.frame_id);
-    PinWhere where = pinWhere(request);
-    if (std::holds_alternative<Ball>(where)) waitForFrame(request.center.header.frame_id);
-    const EditRecord pin = inNodeThread(
-        [this, carried, where, header = request.center.header, frame = request.frame_id] {
-          const PinWhere there = inWorld(where, header);
-          return carried ? held_frames_.pin(there, frame) : origami_.apply(PinEdit{there});
+    return hold(
+        request, response, "holding",
+        [this](const PinWhere& where) { return origami_.apply(PinEdit{where}); },
+        [this](const PinWhere& where, const std::string& frame) {
+          return held_frames_.pin(where, frame);
         });
-    response.vertices = vertexIds(pin.vertices);
-    response.edit = pin.number;
-    return "holding " + vertexCount(pin.vertices.size()) +
-           (carried ? " by frame " + request.frame_id : "");
   });
 }
 
@@ -80,18 +76,15 @@ bool Services::unpin(msg::Unpin::Request& request, msg::Unpin::Response& respons
 
 bool Services::grasp(msg::Grasp::Request& request, msg::Grasp::Response& response) {
   return answer("grasp", response, [&] {
-    const bool carried = waitForCarrier(request.frame_id);
-    GraspEdit edit{request.id, pinWhere(pinRequest(request)), firmnessOf(request), "", {}};
-    if (std::holds_alternative<Ball>(edit.where)) waitForFrame(request.center.header.frame_id);
-    const EditRecord grasp = inNodeThread(
-        [this, carried, edit, header = request.center.header, frame = request.frame_id]() mutable {
-          edit.where = inWorld(edit.where, header);
-          return carried ? held_frames_.grasp(edit, frame) : origami_.apply(edit);
+    const auto edit = [id = request.id, firmness = firmnessOf(request)](const PinWhere& where) {
+      return GraspEdit{id, where, firmness, "", {}};
+    };
+    return hold(
+        request, response, "grasping",
+        [this, edit](const PinWhere& where) { return origami_.apply(edit(where)); },
+        [this, edit](const PinWhere& where, const std::string& frame) {
+          return held_frames_.grasp(edit(where), frame);
         });
-    response.vertices = vertexIds(grasp.vertices);
-    response.edit = grasp.number;
-    return "grasping " + vertexCount(grasp.vertices.size()) +
-           (carried ? " by frame " + request.frame_id : "");
   });
 }
 

@@ -43,23 +43,23 @@ bool Publishers::recorded() const {
 
 void Publishers::publish(const Session& session, bool paused, const StepReport& step,
                          double real_time_factor, const ros::Time& stamp) {
-  const bool same_obstacles = obstacles_.sameShapes(session.simulation().obstacles());
+  const Simulation& simulation = session.simulation();
+  const bool same_obstacles = obstacles_.sameShapes(simulation.obstacles());
   if (revision_ != session.revision() || !same_obstacles) publishSheet(session, stamp);
   const bool draw = markers_.heard();
   if (draw || state_.getNumSubscribers() > 0) {
     msg::SheetState state = stateMessage(session, paused, header(stamp));
     const MarkerPainter& painter = markers_.painter();
-    addContactForces(session.simulation(), painter.showsPressures(), painter.showsContactPoints(),
-                     state);
+    addContactForces(simulation, painter.showsPressures(), painter.showsContactPoints(), state);
     state_.publish(state);
     if (draw) markers_.publish(state);
   }
-  cloud_.publish(session, header(stamp));
+  cloud_.publish(simulation.sheet(), simulation.positions(), header(stamp));
   if (energy_.getNumSubscribers() > 0) {
     energy_.publish(energyMessage(session, step, real_time_factor, header(stamp)));
   }
   publishWrenches(session, stamp);
-  publishNamedWrenches(session.simulation(), stamp);
+  publishNamedWrenches(simulation, stamp);
   publishFrames(session, stamp);
 }
 
@@ -67,6 +67,7 @@ void Publishers::publishSheet(const Session& session, const ros::Time& stamp) {
   const msg::Sheet message = sheetMessage(session, header(stamp));
   sheet_.publish(message);
   markers_.setSheet(message);
+  cloud_.changeSheet();
   panels_ = findPanels(session.simulation().sheet());
   revision_ = session.revision();
   obstacles_ = session.simulation().obstacles();

@@ -54,7 +54,7 @@ class Services {
   bool reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool undo(msg::Undo::Request& request, msg::Undo::Response& response);
 
-  // Called in the threads of requests that may wait. Defined in request_answer.h.
+  // Called in the threads of requests that may wait. Templates are defined where they are used.
 
   static constexpr int kEndLook = 20;  ///< how often they look whether the node ends [ms]
 
@@ -68,9 +68,11 @@ class Services {
   Result wait(std::future<Result> result) const;
   void waitForFrame(const std::string& frame) const;
   bool waitForCarrier(const std::string& frame) const;
+  template <class Request, class Response, class Still, class Carried>
+  std::string hold(const Request& request, Response& response, const std::string& doing,
+                   Still still, Carried carried);
 
   // Called in the node's thread.
-  PinWhere inWorld(PinWhere where, const std_msgs::Header& header) const;
   msg::FoldThrough::Response foldThroughNow(const msg::FoldThrough::Request& request);
   msg::Layers::Response layersNow(const msg::Layers::Request& request) const;
 

@@ -318,7 +318,7 @@ Energies Simulation::energies() const {
   energies.bending = shell_.bendingEnergy(motion_.positions);
   energies.gravity = shell_.gravityEnergy(motion_.positions);
   if (contactOn()) energies.contact = contact_->energy(motion_.positions);
-  if (obstacle_contact_) energies.contact += obstacle_contact_->energy(withObstacles());
+  if (obstacle_contact_) energies.contact += obstacle_contact_->energy(positionsWithObstacles());
   energies.kinetic = kineticEnergy(motion_.velocities, shell_.shell().masses());
   return energies;
 }
@@ -343,7 +343,7 @@ std::map<std::string, Wrench> Simulation::holdingWrenches() const {
   return wrenches;
 }
 
-double Simulation::maxStrain() const {
+double Simulation::maxStrain(const Positions& x) const {
   double largest = 0;
   for (int i = 0; i < static_cast<int>(sheet_.triangles().size()); ++i) {
     const Triangle& t = sheet_.triangles()[i];
@@ -351,7 +351,7 @@ double Simulation::maxStrain() const {
       const int a = t[k], b = t[(k + 1) % 3];
       const double rest =
           in_plane_.length(i, sheet_.flatPositions()[b] - sheet_.flatPositions()[a]);
-      const double now = (motion_.positions.col(b) - motion_.positions.col(a)).norm();
+      const double now = (x.col(b) - x.col(a)).norm();
       largest = std::max(largest, std::abs(now / rest - 1));
     }
   }

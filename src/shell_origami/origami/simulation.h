@@ -128,8 +128,12 @@ class Simulation {
   /// Force and torque of the paper on each obstacle in the last step, friction included: of one
   /// that a frame carries in that frame and about its origin, of others in the world's.
   std::map<std::string, Wrench> obstacleWrenches() const;
-  /// The places of the obstacles' vertices, in the order of their names [m].
+  /// The obstacles, in the order of their names, as surfaces that paper does not get past.
+  const std::vector<Body>& bodies() const { return bodies_; }
+  /// The places of their vertices [m].
   Positions obstaclePlaces() const { return obstaclesAt(0, paperCenter()); }
+  /// The places of the paper's vertices, and after them those of the obstacles' [m].
+  Positions positionsWithObstacles() const { return withObstacles(motion_.positions); }
   const std::set<int>& pinned() const { return held_.all(); }
   const Counters& counters() const { return counters_; }
   double time() const { return time_; }  ///< [s]
@@ -143,7 +147,7 @@ class Simulation {
   std::map<std::string, Wrench> holdingWrenches() const;
   /// Largest |edge length / rest length - 1|: the rest length is the flat one, but where folding
   /// has stretched the paper for good.
-  double maxStrain() const;
+  double maxStrain() const { return maxStrain(motion_.positions); }
   /// Whether a ramp is still running.
   bool folding() const;
   /// Whether the membrane is softer than the paper's, as it may be while a pattern folds.
@@ -197,15 +201,18 @@ class Simulation {
   std::string cutObstacle(const Sheet& sheet, const Positions& positions) const;
   Vector3 paperCenter() const;
   Positions obstaclesAt(double s, const Vector3& center) const;
-  Positions withObstacles(double s = 0) const;
+  Positions withObstacles(const Positions& paper) const;
+  Positions forcesOnObstacles(const Positions& all, Potential::Iterate& at) const;
   Motion joinedMotion() const;
   StepReport takeStep(BoundaryConditions& conditions);
   StepReport relax(const std::function<void(const Positions&)>& adapt);
   StepReport moveAmongObstacles(
       const std::function<StepReport(const Eigen::VectorXd& masses, Motion& motion)>& move);
   bool pushed() const;
-  double obstacleGap(double s) const;
-  bool crushes(double before, double after) const;
+  double maxStrain(const Positions& x) const;
+  bool tears(const Positions& before) const;
+  bool crushes(const Positions& before);
+  double obstacleGap(const std::vector<Contact>& contacts) const;
   void findStopped();
   void addContactForces(Positions& forces) const;
   void findBlocked();

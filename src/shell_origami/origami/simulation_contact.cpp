@@ -105,7 +105,7 @@ std::vector<Contact> Simulation::contacts() const {
   std::vector<Contact> all;
   if (contactOn()) all = contact_->contacts(motion_.positions);
   if (!obstacle_contact_) return all;
-  const std::vector<Contact> more = obstacle_contact_->contacts(withObstacles());
+  const std::vector<Contact> more = obstacle_contact_->contacts(positionsWithObstacles());
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -114,7 +114,7 @@ std::vector<ContactForce> Simulation::contactForces() const {
   std::vector<ContactForce> all;
   if (contactOn()) all = shell_origami::contactForces(*contact_, motion_.positions);
   if (!obstacle_contact_) return all;
-  const auto more = shell_origami::contactForces(*obstacle_contact_, withObstacles());
+  const auto more = shell_origami::contactForces(*obstacle_contact_, positionsWithObstacles());
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }
@@ -123,7 +123,7 @@ std::vector<ContactForce> Simulation::contactForces() const {
 void Simulation::addContactForces(Positions& forces) const {
   if (contactOn()) contact_->addGradient(motion_.positions, forces);
   if (!obstacle_contact_) return;
-  const Positions all = withObstacles();
+  const Positions all = positionsWithObstacles();
   Positions on_all = Positions::Zero(3, all.cols());
   obstacle_contact_->addGradient(all, on_all);
   forces += on_all.leftCols(forces.cols());

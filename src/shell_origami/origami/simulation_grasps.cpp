@@ -1,6 +1,7 @@
 #include <shell_origami/origami/simulation.h>
 
 #include <shell_origami/base/error.h>
+#include <shell_origami/origami/named.h>
 
 #include <utility>
 
@@ -32,13 +33,7 @@ GraspEdit Simulation::make(const GraspEdit& edit, EditRecord& record) {
 }
 
 ReleaseEdit Simulation::make(const ReleaseEdit& edit, EditRecord& record) {
-  for (const std::string& id : edit.ids) {
-    if (!grasps_.all().count(id)) reject("there is no grasp '", id, "'");
-  }
-  record.ids = edit.ids;
-  if (edit.ids.empty()) {
-    for (const auto& [id, grasp] : grasps_.all()) record.ids.push_back(id);
-  }
+  record.ids = namesOrAll(edit.ids, "grasp", grasps_.all());
   for (const std::string& id : record.ids) grasps_.remove(id);
   remakeSprings();
   pinsChanged();

@@ -2,6 +2,7 @@
 
 #include <shell_origami/base/error.h>
 #include <shell_origami/contact/ccd.h>
+#include <shell_origami/origami/named.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,17 +39,25 @@ Positions Simulation::obstaclesAt(double s, const Vector3& center) const {
                            kPatch + 2 * sheet_.size());
 }
 
-/// The places of vertices and, after them, of those of obstacles a part s of the next step on.
-Positions Simulation::withObstacles(double s) const {
-  const Positions places = obstaclesAt(s, paperCenter());
-  Positions all(3, motion_.positions.cols() + places.cols());
-  all << motion_.positions, places;
+/// The places of the paper's vertices and, after them, of those of obstacles before the next step.
+Positions Simulation::withObstacles(const Positions& paper) const {
+  const Positions places = obstaclesAt(0, paper.rowwise().mean());
+  Positions all(3, paper.cols() + places.cols());
+  all << paper, places;
   return all;
+}
+
+/// The forces of the paper on the obstacles' vertices [N], at the places of all vertices, which
+/// `at` is of.
+Positions Simulation::forcesOnObstacles(const Positions& all, Potential::Iterate& at) const {
+  Positions gradient = Positions::Zero(3, all.cols());
+  obstacle_contact_->addGradient(all, at, gradient);
+  return -gradient.rightCols(all.cols() - motion_.positions.cols());
 }
 
 Motion Simulation::joinedMotion() const {
   Motion joined = motion_;
-  joined.positions = withObstacles();
+  joined.positions = positionsWithObstacles();
   const Eigen::Index count = joined.positions.cols(), own = motion_.positions.cols();
   for (Positions* rates : {&joined.velocities, &joined.accelerations}) {
     rates->conservativeResize(3, count);
@@ -68,7 +77,7 @@ StepReport Simulation::moveAmongObstacles(
   masses.head(own) = own_masses;
   StepReport report = move(masses, joined);
   if (!report.converged) return report;
-  obstacle_forces_ = stepper_.forcesOnBodies(joined);
+  obstacle_forces_ = forcesOnObstacles(joined.positions, stepper_.reached(*obstacle_contact_));
   for (Positions* columns : {&joined.positions, &joined.velocities, &joined.accelerations}) {
     columns->conservativeResize(3, own);
   }
@@ -79,13 +88,12 @@ StepReport Simulation::moveAmongObstacles(
 StepReport Simulation::takeStep(BoundaryConditions& conditions) {
   const bool moving = obstacles_.moving() && obstacles_.pace() > 0 && !compliance_.soft();
   const Motion before = moving ? motion_ : Motion{};
-  const double strain = moving ? maxStrain() : 0, gap = moving ? obstacleGap(0) : 0;
   StepReport report = moveAmongObstacles([&](const Eigen::VectorXd& masses, Motion& motion) {
     return stepper_.step(potentials(), masses, config_.material.air_damping, conditions, motion);
   });
   if (!moving || !report.converged || !pushed()) return report;
-  const bool torn = maxStrain() > std::max(kBearableStrain, strain);
-  if (torn || crushes(gap, obstacleGap(obstacles_.pace()))) {
+  const bool torn = tears(before.positions);
+  if (torn || crushes(before.positions)) {
     motion_ = before;
     report.converged = false;
     report.failure =
@@ -94,18 +102,26 @@ StepReport Simulation::takeStep(BoundaryConditions& conditions) {
   return report;
 }
 
-/// Whether a step that takes paper from one distance to an obstacle to another presses it too hard.
-/// Where it is that close gaps tremble a little, also while an obstacle retreats.
-bool Simulation::crushes(double before, double after) const {
-  const double pressed = kPressed * config_.contact.distance;
-  return after < std::min(pressed, kTrembling * before) ||
-         after < std::min(kTrembling * pressed / 2, before);
+/// Whether the step that led from these positions has stretched the paper further than it bears.
+bool Simulation::tears(const Positions& before) const {
+  const double strain = maxStrain();
+  return strain > kBearableStrain && strain > maxStrain(before);
 }
 
-/// The smallest distance of the paper to obstacles within reach, where they are a part s of the
-/// next step on; d^ where there is none.
-double Simulation::obstacleGap(double s) const {
-  const double gap = smallestGap(obstacle_contact_->contacts(withObstacles(s)));
+/// Whether the step that led from these positions presses the paper too hard onto an obstacle.
+/// Where it is that close gaps tremble a little, also while an obstacle retreats.
+bool Simulation::crushes(const Positions& before) {
+  const double pressed = kPressed * config_.contact.distance;
+  const double gap = obstacleGap(obstacle_contact_->contacts(stepper_.reached(*obstacle_contact_)));
+  if (gap >= pressed) return false;
+  const double gap_before = obstacleGap(obstacle_contact_->contacts(withObstacles(before)));
+  return gap < std::min(pressed, kTrembling * gap_before) ||
+         gap < std::min(kTrembling * pressed / 2, gap_before);
+}
+
+/// The smallest distance of the contacts with obstacles; d^ where there is none.
+double Simulation::obstacleGap(const std::vector<Contact>& contacts) const {
+  const double gap = smallestGap(contacts);
   return gap < 0 ? config_.contact.distance : gap;
 }
 
@@ -136,10 +152,10 @@ void Simulation::remakeObstacles() {
   obstacle_forces_.resize(3, 0);
   if (bodies_.empty()) return;
   obstacle_contact_.emplace(sheet_, bodies_, contactParameters(config_));
-  const Positions all = withObstacles();
-  Positions forces = Positions::Zero(3, all.cols());
-  obstacle_contact_->addGradient(all, forces);
-  obstacle_forces_ = -forces.rightCols(all.cols() - motion_.positions.cols());
+  const Positions all = positionsWithObstacles();
+  const auto at = obstacle_contact_->makeIterate();
+  obstacle_contact_->start(all, *at);
+  obstacle_forces_ = forcesOnObstacles(all, *at);
 }
 
 /// Looks for obstacles that the last step left behind where they were to be.
@@ -196,7 +212,7 @@ AddObstacleEdit Simulation::make(const AddObstacleEdit& edit, EditRecord&) {
   const Obstacles before = obstacles_;
   obstacles_.add(edit.id, std::move(obstacle));
   remakeObstacles();
-  const double gap = smallestGap(obstacle_contact_->contacts(withObstacles()));
+  const double gap = smallestGap(obstacle_contact_->contacts(positionsWithObstacles()));
   if (cutObstacle(sheet_, motion_.positions) == edit.id || (gap >= 0 && gap <= kClosestGap)) {
     obstacles_ = before;
     remakeObstacles();
@@ -207,13 +223,7 @@ AddObstacleEdit Simulation::make(const AddObstacleEdit& edit, EditRecord&) {
 }
 
 RemoveObstacleEdit Simulation::make(const RemoveObstacleEdit& edit, EditRecord& record) {
-  for (const std::string& id : edit.ids) {
-    if (!obstacles_.all().count(id)) reject("there is no obstacle '", id, "'");
-  }
-  record.ids = edit.ids;
-  if (edit.ids.empty()) {
-    for (const auto& [id, obstacle] : obstacles_.all()) record.ids.push_back(id);
-  }
+  record.ids = namesOrAll(edit.ids, "obstacle", obstacles_.all());
   for (const std::string& id : record.ids) obstacles_.remove(id);
   remakeObstacles();
   pinsChanged();

@@ -1,17 +1,29 @@
 /// \file
 /// Draws a recorded run: from the messages Sheet and SheetState, exactly as the live node does.
+/// Sends its clouds of points as well.
 
+#include <shell_origami/node/conversions.h>
 #include <shell_origami/node/draw/marker_publisher.h>
 #include <shell_origami/node/parameter_reader.h>
+#include <shell_origami/node/parameters.h>
+#include <shell_origami/node/sense/cloud.h>
 
 #include <csignal>
+#include <optional>
+#include <set>
+#include <string>
 
 namespace {
 
+using shell_origami::NodeConfig;
+
+/// The node's own parameters of what is drawn and sent.
+const std::set<std::string> kShown = {"vertex_ids", "crease_labels", "contact_points", "colouring",
+                                      "cloud/points"};
+
 struct Parameters {
   std::string origami = "origami";  ///< the node that was recorded
-  shell_origami::MarkerOptions markers;
-  shell_origami::Coloring colouring = shell_origami::Coloring::kPaper;
+  NodeConfig shown;
 };
 
 /// \throws std::invalid_argument that names the offending parameter.
@@ -19,11 +31,11 @@ Parameters loadParameters(const ros::NodeHandle& node) {
   shell_origami::ParameterReader reader(node);
   Parameters parameters;
   reader.read("origami", &parameters.origami);
-  reader.read("vertex_ids", &parameters.markers.vertex_ids);
-  reader.read("crease_labels", &parameters.markers.crease_labels);
-  reader.read("contact_points", &parameters.markers.contact_points);
-  reader.read("colouring",
-              shell_origami::Choice(shell_origami::coloringNames(), parameters.colouring));
+  for (const auto& [name, place, meaning, unit, bounds, live] : shell_origami::nodeParameters()) {
+    if (kShown.count(name) == 0) continue;
+    reader.read(name, place(parameters.shown));
+    shell_origami::checkValue(name, place(parameters.shown), bounds);
+  }
   reader.rejectUnread();
   return parameters;
 }
@@ -32,19 +44,34 @@ class MarkersNode {
  public:
   explicit MarkersNode(const Parameters& parameters)
       : recorded_(parameters.origami),
-        markers_(recorded_, {parameters.markers, parameters.colouring}),
+        markers_(recorded_, {parameters.shown.markers, parameters.shown.colouring}),
+        cloud_(recorded_, parameters.shown.cloud_points),
         sheet_(recorded_.subscribe("sheet", 10, &MarkersNode::onSheet, this)),
         state_(recorded_.subscribe("state", 10, &MarkersNode::onState, this)) {}
 
  private:
-  void onSheet(const shell_origami::msg::Sheet::ConstPtr& sheet) { markers_.setSheet(*sheet); }
+  void onSheet(const shell_origami::msg::Sheet::ConstPtr& message) {
+    markers_.setSheet(*message);
+    cloud_.changeSheet();
+    sheet_of_cloud_.reset();
+    try {
+      sheet_of_cloud_ = shell_origami::sheetFrom(*message);
+    } catch (const std::exception& error) {
+      ROS_WARN("no cloud of a sheet that is none: %s", error.what());
+    }
+  }
 
   void onState(const shell_origami::msg::SheetState::ConstPtr& state) {
-    if (markers_.heard() && markers_.painter().fits(*state)) markers_.publish(*state);
+    if (!markers_.painter().fits(*state)) return;
+    if (markers_.heard()) markers_.publish(*state);
+    if (!cloud_.heard() || !sheet_of_cloud_) return;
+    cloud_.publish(*sheet_of_cloud_, shell_origami::positionsFrom(*state), state->header);
   }
 
   ros::NodeHandle recorded_;
   shell_origami::MarkerPublisher markers_;
+  shell_origami::CloudPublisher cloud_;
+  std::optional<shell_origami::Sheet> sheet_of_cloud_;
   ros::Subscriber sheet_;
   ros::Subscriber state_;
 };

@@ -73,15 +73,12 @@ void writeCloud(const std::vector<MaterialPoint>& points, const Sheet& sheet,
 CloudPublisher::CloudPublisher(ros::NodeHandle& node, int points)
     : count_(points), cloud_(node.advertise<sensor_msgs::PointCloud2>("cloud", 5)) {}
 
-void CloudPublisher::publish(const Session& session, const std_msgs::Header& header) {
-  if (cloud_.getNumSubscribers() == 0) return;
-  const Simulation& simulation = session.simulation();
-  if (revision_ != session.revision()) {
-    points_ = sampleSheet(simulation.sheet(), count_ / 2.0);
-    revision_ = session.revision();
-  }
+void CloudPublisher::publish(const Sheet& sheet, const Positions& positions,
+                             const std_msgs::Header& header) {
+  if (!heard()) return;
+  if (!points_) points_ = sampleSheet(sheet, count_ / 2.0);
   message_.header = header;
-  writeCloud(points_, simulation.sheet(), simulation.positions(), message_);
+  writeCloud(*points_, sheet, positions, message_);
   cloud_.publish(message_);
 }
 

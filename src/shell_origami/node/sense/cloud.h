@@ -3,12 +3,10 @@
 #pragma once
 
 #include <shell_origami/node/sense/material_points.h>
-#include <shell_origami/node/session.h>
 
 #include <ros/node_handle.h>
 #include <sensor_msgs/PointCloud2.h>
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -27,12 +25,15 @@ class CloudPublisher {
   /// \param points  about how many a cloud has, on both sides together
   CloudPublisher(ros::NodeHandle& node, int points);
 
-  void publish(const Session& session, const std_msgs::Header& header);
+  bool heard() const { return cloud_.getNumSubscribers() > 0; }
+  /// Says that the next cloud is of a sheet that is another or has changed.
+  void changeSheet() { points_.reset(); }
+  void publish(const Sheet& sheet, const Positions& positions, const std_msgs::Header& header);
 
  private:
   int count_;
-  std::optional<std::uint32_t> revision_;  ///< of the sheet that points_ are of
-  std::vector<MaterialPoint> points_;
+  std::optional<std::vector<MaterialPoint>>
+      points_;  ///< of the sheet, once there was a cloud of it
   sensor_msgs::PointCloud2 message_;
   ros::Publisher cloud_;
 };

@@ -54,12 +54,13 @@ void DepthCamera::watch() {
   if (!heard()) return;
   const ros::Time stamp = origami_.stamp();
   const Session& session = origami_.session();
-  const double slack = 0.5 * session.simulation().config().solver.time_step;
+  const Simulation& simulation = session.simulation();
+  const double slack = 0.5 * simulation.config().solver.time_step;
   if (stamp.isZero() || stamp == last_stamp_ || !pace_.due(stamp, config_.rate, slack)) return;
   last_stamp_ = stamp;
   pace_.done(stamp, config_.rate);
   if (!sheet_ || revision_ != session.revision()) {
-    sheet_ = std::make_shared<const Sheet>(session.simulation().sheet());
+    sheet_ = std::make_shared<const Sheet>(simulation.sheet());
     revision_ = session.revision();
   }
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -67,7 +68,8 @@ void DepthCamera::watch() {
     ROS_WARN_THROTTLE(kShotWarnPeriod, "depth images are left out: depth/rate is too high");
     shots_.pop_front();
   }
-  shots_.push_back({stamp, ros::SteadyTime::now(), sheet_, session.simulation().positions()});
+  shots_.push_back({stamp, ros::SteadyTime::now(), sheet_, simulation.bodies(),
+                    simulation.positionsWithObstacles()});
   news_.notify_all();
 }
 
@@ -117,7 +119,7 @@ void DepthCamera::send(const Shot& shot, const Eigen::Isometry3d& world_in_camer
   if (!labeled && image_.getNumSubscribers() == 0) return;
   const Positions points =
       (world_in_camera.linear() * shot.positions).colwise() + world_in_camera.translation();
-  renderer_.render(*shot.sheet, points);
+  renderer_.render(*shot.sheet, shot.bodies, points);
   writeImage(camera, renderer_.depths(), header, depths_);
   image_.publish(depths_);
   if (!labeled) return;

@@ -1,5 +1,5 @@
 /// \file
-/// A depth camera that looks at the paper.
+/// A depth camera that looks at the paper and the obstacles around it.
 #pragma once
 
 #include <shell_origami/node/origami_node.h>
@@ -17,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace shell_origami {
 
@@ -32,12 +33,13 @@ class DepthCamera {
   ~DepthCamera();
 
  private:
-  /// The paper at a time.
+  /// The paper and the obstacles at a time.
   struct Shot {
     ros::Time stamp;
     ros::SteadyTime taken;
     std::shared_ptr<const Sheet> sheet;
-    Positions positions;
+    std::vector<Body> bodies;
+    Positions positions;  ///< of the sheet's vertices and of the bodies'
   };
 
   bool heard() const;

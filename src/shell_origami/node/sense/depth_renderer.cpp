@@ -43,20 +43,34 @@ struct SeenTriangle {
   }
 };
 
-Eigen::Matrix3d cornersOf(const Triangle& triangle, const Positions& points) {
+/// \param first  the column of the triangle's vertex 0
+Eigen::Matrix3d cornersOf(const Triangle& triangle, const Positions& points,
+                          Eigen::Index first = 0) {
   Eigen::Matrix3d corners;
-  for (int k = 0; k < 3; ++k) corners.col(k) = points.col(triangle[k]);
+  for (int k = 0; k < 3; ++k) corners.col(k) = points.col(first + triangle[k]);
   return corners;
 }
 
 }  // namespace
 
-void DepthRenderer::render(const Sheet& sheet, const Positions& points) {
+void DepthRenderer::render(const Sheet& sheet, const std::vector<Body>& bodies,
+                           const Positions& points) {
   const std::size_t pixels = static_cast<std::size_t>(camera_.width) * camera_.height;
   depths_.assign(pixels, kInfinite);
   seen_.assign(pixels, -1);
-  for (int t = 0; t < static_cast<int>(sheet.triangles().size()); ++t) {
-    draw(t, cornersOf(sheet.triangles()[t], points));
+  int face = 0;
+  for (const Triangle& triangle : sheet.triangles()) draw(face++, cornersOf(triangle, points));
+  first_faces_.clear();
+  Eigen::Index column = sheet.vertexCount();
+  for (const Body& body : bodies) {
+    const Surface& surface = *body.surface;
+    first_faces_.push_back(face);
+    if (surface.half_space) {
+      drawPlane(face++, cornersOf(surface.faces.front(), points, column));
+    } else {
+      for (const Triangle& t : surface.faces) draw(face++, cornersOf(t, points, column));
+    }
+    column += surface.vertices.cols();
   }
   for (std::size_t i = 0; i < pixels; ++i) {
     if (seen_[i] < 0) depths_[i] = kNone;
@@ -92,7 +106,7 @@ DepthRenderer::Box DepthRenderer::boxOf(const Eigen::Matrix3d& corners) const {
           last(row.maxCoeff(), all.bottom)};
 }
 
-void DepthRenderer::draw(int triangle, const Eigen::Matrix3d& corners) {
+void DepthRenderer::draw(int face, const Eigen::Matrix3d& corners) {
   const Box box = boxOf(corners);
   if (box.right < box.left || box.bottom < box.top) return;
   const SeenTriangle seen(corners);
@@ -105,13 +119,33 @@ void DepthRenderer::draw(int triangle, const Eigen::Matrix3d& corners) {
       const double a = seen.share(0, x, y), b = seen.share(1, x, y), c = seen.share(2, x, y);
       if (a < 0 || b < 0 || c < 0) continue;
       // Seen almost edge-on a triangle's depth is mostly rounding.
-      const double depth = std::clamp(seen.volume / (a + b + c), lowest, highest);
-      const std::size_t pixel = static_cast<std::size_t>(row) * camera_.width + column;
-      if (!(depth < depths_[pixel])) continue;
-      depths_[pixel] = static_cast<float>(depth);
-      seen_[pixel] = triangle;
+      show(row, column, std::clamp(seen.volume / (a + b + c), lowest, highest), face);
     }
   }
+}
+
+/// Draws the plane through the corners.
+void DepthRenderer::drawPlane(int face, const Eigen::Matrix3d& corners) {
+  const SeenTriangle seen(corners);
+  if (!(seen.volume > 0)) return;
+  for (int row = 0; row < camera_.height; ++row) {
+    const double y = rayY(row);
+    for (int column = 0; column < camera_.width; ++column) {
+      const double x = rayX(column);
+      const double sum = seen.share(0, x, y) + seen.share(1, x, y) + seen.share(2, x, y);
+      if (sum > 0) show(row, column, seen.volume / sum, face);
+    }
+  }
+}
+
+/// Of what is at the same depth, to the rounding of float, the first that was drawn is seen: paper
+/// in front of the body that it is pressed onto.
+void DepthRenderer::show(int row, int column, double depth, int face) {
+  const std::size_t pixel = static_cast<std::size_t>(row) * camera_.width + column;
+  const auto rounded = static_cast<float>(depth);
+  if (!(rounded < depths_[pixel])) return;
+  depths_[pixel] = rounded;
+  seen_[pixel] = face;
 }
 
 const std::vector<float>& DepthRenderer::labels(const Sheet& sheet, const Positions& points) {
@@ -120,6 +154,11 @@ const std::vector<float>& DepthRenderer::labels(const Sheet& sheet, const Positi
   int triangle = -1;  // that `seen` is, often the one that the pixel before saw
   for (std::size_t pixel = 0; pixel < seen_.size(); ++pixel) {
     if (!std::isfinite(depths_[pixel])) continue;
+    if (seen_[pixel] >= static_cast<int>(sheet.triangles().size())) {
+      const auto after = std::upper_bound(first_faces_.begin(), first_faces_.end(), seen_[pixel]);
+      labels_[3 * pixel + 2] = kFirstObstacle + (after - first_faces_.begin() - 1);
+      continue;
+    }
     if (triangle != seen_[pixel]) {
       triangle = seen_[pixel];
       seen.emplace(cornersOf(sheet.triangles()[triangle], points));

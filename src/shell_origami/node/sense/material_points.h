@@ -9,8 +9,9 @@
 namespace shell_origami {
 
 /// The sides of the paper as numbers in clouds and label images. The front is the one that +z of
-/// the flat sheet points out of.
-constexpr float kFrontSide = 0, kBackSide = 1;
+/// the flat sheet points out of. In label images kFirstObstacle is the first obstacle, and each
+/// other one is one more.
+constexpr float kFrontSide = 0, kBackSide = 1, kFirstObstacle = 2;
 
 /// A point of the paper, and the triangle in which it lies now.
 struct MaterialPoint {
