@@ -1,6 +1,6 @@
 #include <shell_origami/contact/contact_potential.h>
 
-#include <shell_origami/contact/friction.h>
+#include <shell_origami/contact/contact_iterate.h>
 #include <shell_origami/contact/guard.h>
 #include <shell_origami/contact/start_filter.h>
 
@@ -40,22 +40,6 @@ Eigen::Matrix<double, 12, 1> distanceGradient(const ClosestPoints& closest) {
 }
 
 }  // namespace
-
-/// The contacts at the start of a step, and the positions then.
-struct ContactPotential::Friction {
-  Positions start;
-  std::vector<FrictionPair> pairs;
-};
-
-struct ContactPotential::ContactIterate : Potential::Iterate {
-  Positions x;
-  std::shared_ptr<const Candidates> candidates;  ///< which cover x
-  std::vector<double> gaps;                      ///< of each candidate, a lower bound [m]
-  std::vector<Contact> contacts;                 ///< closer than kNear reaches, in their order
-  std::shared_ptr<const Friction> friction;      ///< since the start of the step
-  std::vector<Impact> impacts;  ///< that a step would run into, until the next gradient
-  Stencils stencils;
-};
 
 const ContactPotential::ContactIterate& ContactPotential::of(const Iterate& at) {
   return static_cast<const ContactIterate&>(at);
@@ -144,23 +128,6 @@ void ContactPotential::finish(ContactIterate& at) const {
   for (const FrictionPair& pair : at.friction->pairs) {
     at.stencils.add(pair.pair.vertices.data(), 4);
   }
-}
-
-/// Returns the friction of a step that starts at the iterate.
-std::shared_ptr<const ContactPotential::Friction> ContactPotential::frictionFrom(
-    const ContactIterate& at) const {
-  auto friction = std::make_shared<Friction>();
-  friction->start = at.x;
-  if (friction_ == 0) return friction;
-  for (const Contact& contact : at.contacts) {
-    const double force = -forceOf(contact);
-    // Edges that are nearly parallel have no common normal.
-    const double coefficient = frictionOf(contact.pair);
-    if (force <= 0 || coefficient == 0 || contact.mollifier.value < 1) continue;
-    friction->pairs.push_back(frictionPair(contact.pair, contact.closest,
-                                           pointsOf(contact.pair, at.x), coefficient * force));
-  }
-  return friction;
 }
 
 void ContactPotential::start(const Positions& x, Iterate& at) const {
@@ -294,29 +261,6 @@ void ContactPotential::addHessian(const Positions& x, const Iterate& at, Hessian
   }
   addFrictionHessian(x, *of(at).friction, static_cast<int>(contacts.size() + impacts.size()),
                      blocks);
-}
-
-void ContactPotential::addFriction(const Positions& x, const Friction& friction,
-                                   Positions& gradient) const {
-  for (const FrictionPair& pair : friction.pairs) {
-    const Vector3 s = slip(pair, friction.start, x);
-    const double length = s.norm();
-    if (length == 0) continue;
-    const Vector3 force = pair.bound * smoothSlip(length, sticking_).first / length * s;
-    const Eigen::Matrix<double, 12, 1> forces = pair.slip.transpose() * force;
-    for (int k = 0; k < 4; ++k) gradient.col(pair.pair.vertices[k]) += forces.segment<3>(3 * k);
-  }
-}
-
-void ContactPotential::addFrictionHessian(const Positions& x, const Friction& friction, int first,
-                                          HessianBlocks& blocks) const {
-  for (std::size_t i = 0; i < friction.pairs.size(); ++i) {
-    const FrictionPair& pair = friction.pairs[i];
-    const Eigen::Matrix3d across =
-        pair.bound * slipHessian(slip(pair, friction.start, x), pair.normal, sticking_);
-    blocks.add(first + static_cast<int>(i),
-               Eigen::Matrix<double, 12, 12>(pair.slip.transpose() * across * pair.slip));
-  }
 }
 
 bool ContactPotential::anticipate(const Positions& x, Iterate& at, const Positions& step) const {
