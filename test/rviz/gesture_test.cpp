@@ -333,6 +333,7 @@ TEST(Gesture, WrongSequencesLeaveNothingBehind) {
     mouse.gesture.cancel();
     EXPECT_EQ(mouse.gesture.phase(), Gesture::Phase::kIdle);
     EXPECT_FALSE(mouse.gesture.preview() || mouse.gesture.turning() || mouse.gesture.from());
+    EXPECT_FALSE(mouse.gesture.pointer()) << "which may be a place on another paper";
     EXPECT_TRUE(mouse.gesture.typed().empty());
     // What comes after it is as if it had not been.
     mouse.gesture.setAngle(90 * kDegree);

@@ -81,7 +81,9 @@ void Gesture::beginDrag(const MouseInput& input) {
     const SnapKind kind = input.spot->kind;
     if (kind == SnapKind::kCorner || kind == SnapKind::kVertex) {
       phase_ = Phase::kBring;
-      laid_ = LaidFold{true, *input.spot, *input.spot};
+      laid_ = LaidFold();
+      laid_->bring = true;
+      laid_->first = laid_->second = *input.spot;
       laid_->reach = reachOf(input).value_or(default_reach_);
       taken_ = true;
     } else if (input.spot->crease >= 0) {
@@ -132,7 +134,8 @@ Reaction Gesture::click(const MouseInput& input) {
   if (!input.spot) return {};
   if (phase_ == Phase::kIdle) {
     phase_ = Phase::kLine;
-    laid_ = LaidFold{false, *input.spot, *input.spot};
+    laid_ = LaidFold();
+    laid_->first = laid_->second = *input.spot;
   } else if (phase_ == Phase::kLine && !isSamePoint(*input.spot, laid_->first)) {
     lay(input, false);
   }
@@ -200,6 +203,7 @@ Reaction Gesture::press(char key) {
 bool Gesture::cancel() {
   const bool under_way = phase_ != Phase::kIdle;
   end();
+  pointer_.reset();
   return under_way;
 }
 

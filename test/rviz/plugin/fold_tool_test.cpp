@@ -29,7 +29,7 @@ class FoldToolTest : public testing::Test {
     rviz.chooseNode("origami");
     call("pause");
     call("reset");
-    rviz.pressKey(Qt::Key_Escape);  // the tool that moves the camera
+    rviz.leaveTool();
     rviz.lookDown(0.22);
     rviz.pressKey(Qt::Key_O);
     rviz.wait("flat paper", [this] { return rviz.paper().sheet().creases().empty(); });
@@ -109,7 +109,7 @@ TEST_F(FoldToolTest, ADogIsFoldedClickByClick) {
 TEST_F(FoldToolTest, ALineFoldsTheSideUnderThePointer) {
   rviz.click(at(kSide / 2, 0.0005));
   rviz.move(at(kSide / 2 + 0.001, kSide - 0.0005));
-  waitForStatus("would fold along 1 line");
+  waitForStatus("1 crease");
   rviz.click(at(kSide / 2 + 0.001, kSide - 0.0005));
   rviz.type("90");
   rviz.wheel(at(0.02, 0.03), 1);
@@ -126,7 +126,7 @@ TEST_F(FoldToolTest, ALineFoldsTheSideUnderThePointer) {
 
 TEST_F(FoldToolTest, ACornerIsBroughtToAnother) {
   rviz.drag(at(0, 0), at(kSide, kSide));
-  waitForStatus("would fold");
+  waitForStatus("1 crease");
   rviz.keepPicture("brought");
   rviz.pressKey(Qt::Key_Return);
   waitForCreases(1);
@@ -139,7 +139,7 @@ TEST_F(FoldToolTest, ACornerIsBroughtToAnother) {
   rviz.click(at(kSide, 0.05), Qt::ControlModifier);
   rviz.click(rviz.pixelOf({0.1, kSide}), Qt::ControlModifier);
   rviz.wait("an answer", [&] {
-    return rviz.status().find("line") != std::string::npos ||
+    return rviz.status().find("1 crease") != std::string::npos ||
            rviz.status().find("#b00020") != std::string::npos;
   });
   EXPECT_NE(rviz.status().find("the top layer"), std::string::npos) << rviz.status();

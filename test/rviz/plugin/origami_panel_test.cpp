@@ -69,8 +69,6 @@ TEST_F(OrigamiPanelTest, Time) {
   rviz.wait("7 steps", [&] { return state().step == before + 7; });
   rviz.push("settle");
   waitForAnswer("at rest");
-  rviz.push("turn_over");
-  waitForAnswer("other side");
 }
 
 TEST_F(OrigamiPanelTest, StepIsRefusedWhileTimeRuns) {
@@ -116,7 +114,7 @@ TEST_F(OrigamiPanelTest, CreasesHaveRowsAndSliders) {
             [this] { return std::abs(state().creases[0].target_angle + 40 * kDegree) < 1e-5; });
   rviz.push("resume");
   rviz.wait(
-      "angle", [&] { return table.item(0, 1)->text().startsWith("-39."); }, 30);
+      "angle", [&] { return std::abs(table.item(0, 1)->text().toDouble() + 40) < 1; }, 30);
 }
 
 TEST_F(OrigamiPanelTest, WhatIsHeldIsLetGo) {
@@ -153,7 +151,7 @@ TEST_F(OrigamiPanelTest, ARecipeIsFollowedAndCanceled) {
     return rviz.text("doing").find("of 2") != std::string::npos &&
            rviz.find<QPushButton>("cancel_recipe").isEnabled();
   });
-  EXPECT_EQ(state().creases.size(), 7U);
+  rviz.wait("seven creases", [this] { return state().creases.size() == 7; });
   rviz.keepPicture("recipe");
   rviz.push("cancel_recipe");
   rviz.wait("the end", [this] { return !rviz.find<QPushButton>("cancel_recipe").isEnabled(); });
@@ -162,14 +160,18 @@ TEST_F(OrigamiPanelTest, ARecipeIsFollowedAndCanceled) {
 TEST_F(OrigamiPanelTest, OneGoesBackToAnyEdit) {
   rviz.openTab("Edits");
   auto& list = rviz.find<QListWidget>("edits");
-  const int before = list.count();
+  const auto text = [&](int from_last) {
+    const auto* item = list.item(list.count() - from_last);
+    return item ? item->text().toStdString() : "";
+  };
   fold(0.5);
   msg::Pin pin;
   pin.request.vertices = {0, 1};
   ASSERT_TRUE(ros::service::call("/origami/pin", pin) && pin.response.success);
-  rviz.wait("two rows", [&] { return list.count() == before + 2; });
-  EXPECT_TRUE(list.item(before)->text().contains("fold spine, 28.6°"));
-  EXPECT_TRUE(list.item(before + 1)->text().contains("pin, 2 vertices"));
+  rviz.wait("a row of the pin",
+            [&] { return text(1).find("pin, 2 vertices") != std::string::npos; });
+  EXPECT_NE(text(2).find("fold spine, 28.6°"), std::string::npos) << text(2);
+  const int before = list.count() - 2;
   list.setCurrentRow(before);
   rviz.wait("a button", [this] { return rviz.find<QPushButton>("go_back").isEnabled(); });
   rviz.keepPicture("edits");
@@ -212,6 +214,7 @@ TEST_F(OrigamiPanelTest, DrawingIsChosen) {
     for (const bool on : {true, false}) {
       QTest::mouseClick(&rviz.find<QCheckBox>(name), Qt::LeftButton, Qt::NoModifier, {8, 8});
       rviz.wait(name, [&] { return is_on(name, on); });
+      EXPECT_EQ(rviz.find<QCheckBox>(name).isChecked(), on);
     }
   }
   auto& coloring = rviz.find<QComboBox>("coloring");

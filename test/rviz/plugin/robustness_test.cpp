@@ -32,7 +32,7 @@ constexpr double kSide = 0.15;
 class RobustnessTest : public testing::Test {
  protected:
   void take(const QString& node) {
-    rviz.pressKey(Qt::Key_Escape);
+    rviz.leaveTool();
     rviz.chooseNode(node);
     rviz.lookDown(0.3);
     rviz.pressKey(Qt::Key_O);
@@ -67,11 +67,13 @@ void end(const std::string& node) {
 TEST_F(RobustnessTest, ANodeEndsAndBeginsAgain) {
   take("mortal");
   rviz.move(rviz.pixelOf({0.05, 0.05}));
-  waitForStatus("point (50.0, 50.0) mm");
+  waitForStatus("point (50.");
   rviz.click(rviz.pixelOf({0.05, 0.05}));
   end("/mortal");
   waitForStatus("there is no node /mortal");
-  EXPECT_NE(rviz.text("problem").find("there is no node /mortal"), std::string::npos);
+  rviz.wait("the panel", [this] {
+    return rviz.text("problem").find("there is no node /mortal") != std::string::npos;
+  });
   rviz.click(rviz.pixelOf({0.05, 0.1}));
   rviz.pressKey(Qt::Key_Return);
   rviz.push("pause");
@@ -82,10 +84,6 @@ TEST_F(RobustnessTest, ANodeEndsAndBeginsAgain) {
     return rviz.status().find("there is no node") == std::string::npos &&
            rviz.text("problem").empty();
   });
-  rviz.pressKey(Qt::Key_Escape);
-  rviz.pressKey(Qt::Key_O);
-  rviz.pass(0.3);
-  rviz.tool().deactivate();
   take("mortal");
   foldDiagonal();
   rviz.wait("a crease", [this] { return rviz.paper().sheet().creases().size() == 1; });
@@ -107,7 +105,7 @@ TEST_F(RobustnessTest, AnotherFixedFrame) {
   rviz.pass(0.2);
   rviz.click(rviz.view().rect().center().x() * Vector2(1, 0) +
              rviz.view().rect().center().y() * Vector2(0, 1));
-  waitForStatus("TF knows no way from \"world\" to the fixed frame \"nowhere\"");
+  waitForStatus("TF knows no way from");
   EXPECT_EQ(rviz.tool().gesture().phase(), Gesture::Phase::kIdle);
   rviz.frame().getManager()->setFixedFrame("paper_view");
   rviz.wait("recovery", [this] { return rviz.status().find("TF knows") == std::string::npos; });
@@ -146,7 +144,7 @@ TEST_F(RobustnessTest, FineMeshesTakeASmallPartOfACore) {
   ASSERT_GT(rviz.paper().sheet().triangles().size(), 4500U);
   rviz.click(rviz.pixelOf({kSide / 2, 0}));
   rviz.click(rviz.pixelOf({kSide / 2, kSide}));
-  waitForStatus("would fold along 1 line");
+  waitForStatus("1 crease");
   constexpr int kFrames = 100;
   const double start = cpuSeconds();
   for (int i = 0; i < kFrames; ++i) {

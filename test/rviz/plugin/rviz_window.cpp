@@ -162,4 +162,9 @@ void RvizWindow::type(const std::string& keys) {
 
 void RvizWindow::pressKey(Qt::Key key) { QTest::keyClick(&view(), key); }
 
+void RvizWindow::leaveTool() {
+  pressKey(Qt::Key_Escape);  // ends a gesture
+  pressKey(Qt::Key_Escape);
+}
+
 }  // namespace shell_origami

@@ -66,6 +66,8 @@ class RvizWindow {
   void wheel(const Vector2& pixel, int notches);
   void type(const std::string& keys);
   void pressKey(Qt::Key key);
+  /// Goes back to the tool that moves the camera, whatever was under way.
+  void leaveTool();
 
  private:
   void send(QEvent::Type type, const Vector2& pixel, Qt::MouseButton button,

@@ -25,12 +25,13 @@ CreaseBox::CreaseBox(PanelDesk& desk) : desk_(desk), table_(new QTableWidget(0, 
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(table_);
   table_->setObjectName("creases");
-  table_->setHorizontalHeaderLabels({"Crease", "Angle °", "Target °", "mN", "Fold to"});
+  table_->setHorizontalHeaderLabels({"Crease", "Angle °", "Target", "mN", "Fold to"});
   table_->horizontalHeaderItem(kMoment)->setToolTip("Moment [mN m per m], towards a valley > 0");
   table_->verticalHeader()->hide();
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  for (int column : {kAngle, kTarget, kMoment}) table_->setColumnWidth(column, 58);
-  table_->setColumnWidth(kName, 76);
+  for (int column : {kAngle, kTarget, kMoment}) table_->setColumnWidth(column, 52);
+  table_->setColumnWidth(kName, 68);
+  table_->horizontalHeader()->setMinimumSectionSize(40);
   table_->horizontalHeader()->setStretchLastSection(true);
 }
 

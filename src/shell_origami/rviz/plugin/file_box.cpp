@@ -105,7 +105,9 @@ void FileBox::save() {
   desk_.ask<msg::Save>("save", request);
 }
 
+/// What a person has changed meanwhile is newer.
 void FileBox::hear(const dynamic_reconfigure::Config& config) {
+  if (changes_ > 0) return;
   for (const auto& word : config.strs) {
     if (word.name == kColoring) coloring_->setCurrentText(QString::fromStdString(word.value));
   }
@@ -120,8 +122,10 @@ void FileBox::change(const dynamic_reconfigure::Config& config) {
   const std::string service = desk_.link.resolved("live/set_parameters");
   Reconfigure::Request request;
   request.config = config;
+  ++changes_;
   desk_.requests.call<Reconfigure>(service, request,
                                    [this, service](const Reconfigure::Response* response) {
+                                     --changes_;
                                      if (response) hear(response->config);
                                      else desk_.tell(noAnswer(service), true);
                                    });

@@ -34,6 +34,7 @@ class FileBox : public QWidget {
   NodeTopic<dynamic_reconfigure::Config> config_topic_;
   QLineEdit* path_;
   QComboBox* coloring_;
+  int changes_ = 0;                             ///< that the node has not answered yet
   std::map<std::string, QCheckBox*> switches_;  ///< by the names of their parameters
 };
 

@@ -38,10 +38,12 @@ void addHolding(QMenu& menu, int vertex, const PaperLink& link, const MenuAction
 
 void addCrease(QMenu& menu, int crease, const ShownPaper& paper, const MenuActions& actions) {
   const QString name = QString::fromStdString(paper.sheet().creases()[crease].name);
-  const double angle = paper.creaseAngle(crease);
+  const msg::Fold::Request unfold = foldRequest(TurnCrease{crease, 0}, paper.sheet());
+  const msg::Fold::Request reverse =
+      foldRequest(TurnCrease{crease, -paper.creaseAngle(crease)}, paper.sheet());
   menu.addSeparator();
-  add(menu, "unfold", "Unfold crease " + name, [=] { actions.turn({crease, 0}); });
-  add(menu, "reverse", "Reverse crease " + name, [=] { actions.turn({crease, -angle}); });
+  add(menu, "unfold", "Unfold crease " + name, [=] { actions.fold(unfold); });
+  add(menu, "reverse", "Reverse crease " + name, [=] { actions.fold(reverse); });
 }
 
 void askForName(const MenuActions& actions) {

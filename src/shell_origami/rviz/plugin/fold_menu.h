@@ -14,13 +14,13 @@ class QMenu;
 
 namespace shell_origami {
 
-/// What the menu's entries do.
+/// What the menu's entries do, perhaps on a later sheet.
 struct MenuActions {
   std::function<void(int vertex)> toggle_pin;
   std::function<void(const msg::Grasp::Request&)> grasp;
   std::function<void(const msg::Release::Request&)> release;
   std::function<void(const msg::AddVertex::Request&)> add_vertex;
-  std::function<void(const TurnCrease&)> turn;
+  std::function<void(const msg::Fold::Request&)> fold;
   std::function<void(const std::string&)> name;  ///< the next fold
 };
 

@@ -25,9 +25,11 @@ class FoldPreview {
   void clear();
   void poll() { requests_.poll(); }
   void draw(FoldDrawing& drawing) const;
-  /// Why the node would not fold so, or what it would do; empty: it has not said yet.
-  const std::string& message() const { return message_; }
+  /// How many creases the fold would make or turn; 0: the node has not said yet.
+  std::size_t creases() const { return segments_.size(); }
+  /// Whether the node would not fold so, and its message.
   bool refused() const { return refused_; }
+  const std::string& message() const { return message_; }
 
  private:
   void ask();

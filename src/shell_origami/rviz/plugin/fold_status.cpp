@@ -31,9 +31,11 @@ std::string foldText(const LaidFold& fold, const Gesture& gesture) {
   return "<b>" + angle + (fold.angle < 0 ? " behind" : "") + "</b>, " + reachText(fold.reach);
 }
 
-std::string messageText(const FoldPreview& preview) {
-  if (preview.message().empty()) return "";
-  return (preview.refused() ? refusal(preview.message()) : plain(preview.message())) + " ";
+std::string previewText(const FoldPreview& preview) {
+  if (preview.refused()) return refusal(preview.message()) + kBetween;
+  if (preview.creases() == 0) return "";
+  return std::to_string(preview.creases()) + (preview.creases() == 1 ? " crease" : " creases") +
+         kBetween;
 }
 
 }  // namespace
@@ -52,19 +54,19 @@ std::string statusText(const Gesture& gesture, const FoldPreview& preview, const
   const std::string spot =
       gesture.pointer() ? plain(describe(*gesture.pointer(), paper)) + ". " : "";
   const std::optional<LaidFold> fold = gesture.preview();
-  const std::string message = messageText(preview);
+  const std::string said = previewText(preview);
   switch (gesture.phase()) {
     case Phase::kIdle:
       return spot +
              "<b>Click:</b> line. <b>Drag:</b> corner onto a point, crease to an angle. "
              "<b>Double click:</b> pin. <b>Right:</b> more.";
     case Phase::kLine:
-      return message + spot +
+      return said + spot +
              "<b>Click</b> the second point. <b>Ctrl:</b> top layer. "
              "<b>Shift:</b> flap. <b>Both:</b> segment. <b>Esc:</b> cancel.";
-    case Phase::kBring: return message + spot + "<b>Let go</b> where the corner is to come.";
+    case Phase::kBring: return said + spot + "<b>Let go</b> where the corner is to come.";
     case Phase::kAngle:
-      return message + foldText(*fold, gesture) +
+      return said + foldText(*fold, gesture) +
              ". <b>Wheel, digits, drag:</b> angle. <b>Pointer:</b> side that moves. "
              "<b>Click, Enter:</b> fold. <b>Esc:</b> cancel.";
     case Phase::kTurn:

@@ -9,6 +9,9 @@
 
 namespace shell_origami {
 
+/// Stands between two things in the status bar.
+constexpr const char* kBetween = " &nbsp;&middot;&nbsp; ";
+
 /// Returns where the pointer is and what can be done next, as rich text.
 /// \pre the link has a paper
 std::string statusText(const Gesture& gesture, const FoldPreview& preview, const PaperLink& link);

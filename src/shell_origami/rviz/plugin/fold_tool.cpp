@@ -61,9 +61,7 @@ FoldTool::FoldTool() : link_(sharedPaperLink()), preview_(*link_) {
   reach_property_->addOption("segment", static_cast<int>(FoldReach::kSegment));
 }
 
-FoldTool::~FoldTool() {
-  if (panel_) panel_->removeEventFilter(this);
-}
+FoldTool::~FoldTool() = default;
 
 void FoldTool::onInitialize() {
   setName("Fold");
@@ -72,6 +70,7 @@ void FoldTool::onInitialize() {
 }
 
 void FoldTool::chooseNode() {
+  if (node_property_->getStdString() == link_->node()) return;
   gesture_.cancel();
   link_->choose(node_property_->getStdString());
 }
@@ -80,8 +79,16 @@ void FoldTool::chooseReach() {
   gesture_.setReach(static_cast<FoldReach>(reach_property_->getOptionInt()));
 }
 
-void FoldTool::activate() {
+/// Takes in what has been heard. Places on an earlier sheet mean nothing on this one.
+void FoldTool::followPaper() {
   link_->poll();
+  if (sheets_ == link_->sheets()) return;
+  sheets_ = link_->sheets();
+  if (gesture_.cancel()) tell("The paper has changed.", false);
+}
+
+void FoldTool::activate() {
+  followPaper();
   status_.clear();
   showStatus();
 }
@@ -94,15 +101,11 @@ void FoldTool::deactivate() {
 }
 
 void FoldTool::update(float /*wall_dt*/, float /*ros_dt*/) {
-  link_->poll();
   requests_.poll();
   preview_.poll();
+  followPaper();
   if (node_property_->getStdString() != link_->node()) {
     node_property_->setStdString(link_->node());  // the panel has chosen another
-  }
-  if (sheets_ != link_->sheets()) {
-    sheets_ = link_->sheets();
-    if (gesture_.cancel()) tell("The paper has changed.", false);
   }
   draw();
   showStatus();
@@ -150,8 +153,7 @@ int FoldTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
     panel_ = event.panel;
     panel_->installEventFilter(this);
   }
-  link_->poll();
-  if (sheets_ != link_->sheets()) update(0, 0);
+  followPaper();
   view_ = viewOf(*event.panel);
   const MouseInput input = inputOf(event, view_);
   if (input.event == MouseEvent::kPress) notice_.clear();
@@ -159,12 +161,14 @@ int FoldTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
   if (reaction.request) carryOut(*reaction.request);
   if (!reaction.taken && event.panel->getViewController()) {
     event.panel->getViewController()->handleMouseEvent(event);
+    status_.clear();  // it has written into the status bar
   }
   showStatus();
   return Render;
 }
 
 int FoldTool::processKeyEvent(QKeyEvent* event, rviz::RenderPanel* /*panel*/) {
+  followPaper();
   const Reaction reaction = gesture_.press(keyOf(*event));
   if (reaction.request) carryOut(*reaction.request);
   showStatus();
@@ -226,7 +230,8 @@ void FoldTool::make(const TogglePin& pin) {
 }
 
 void FoldTool::make(const OpenMenu& menu) {
-  if (!panel_) return;
+  auto* panel = qobject_cast<rviz::RenderPanel*>(panel_);
+  if (!panel) return;
   MenuActions actions;
   actions.toggle_pin = [this](int vertex) { make(TogglePin{vertex}); };
   actions.grasp = [this](const msg::Grasp::Request& r) { ask<msg::Grasp>("grasp", r); };
@@ -234,12 +239,12 @@ void FoldTool::make(const OpenMenu& menu) {
   actions.add_vertex = [this](const msg::AddVertex::Request& r) {
     ask<msg::AddVertex>("add_vertex", r);
   };
-  actions.turn = [this](const TurnCrease& turn) { make(turn); };
+  actions.fold = [this](const msg::Fold::Request& r) { ask<msg::Fold>("fold", r); };
   actions.name = [this](const std::string& name) {
     name_ = name;
     tell("The next fold is called " + name + ".", false);
   };
-  panel_->showContextMenu(foldMenu(menu.spot, *link_, actions));
+  panel->showContextMenu(foldMenu(menu.spot, *link_, actions));
 }
 
 void FoldTool::tell(const std::string& message, bool refused) {
@@ -276,7 +281,7 @@ void FoldTool::showStatus() {
   const std::string missing = problem();
   std::string text = missing.empty() ? "" : refusal(missing);
   if (text.empty()) {
-    text = notice_.empty() ? "" : notice_ + " ";
+    text = notice_.empty() ? "" : notice_ + kBetween;
     text += statusText(gesture_, preview_, *link_);
   }
   const QString status = QString::fromStdString(text);

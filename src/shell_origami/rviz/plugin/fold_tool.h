@@ -7,6 +7,8 @@
 #include <shell_origami/rviz/plugin/fold_preview.h>
 
 #include <rviz/tool.h>
+#include <QPointer>
+#include <QWidget>
 #endif
 
 #include <memory>
@@ -49,6 +51,7 @@ class FoldTool : public rviz::Tool {
     Camera camera;
     Vector3 eye;  ///< [m], as the camera in the paper's world frame
   };
+  void followPaper();
   std::optional<FramePose> world();
   std::optional<View> viewOf(rviz::RenderPanel& panel);
   MouseInput inputOf(const rviz::ViewportMouseEvent& event, const std::optional<View>& view);
@@ -71,7 +74,7 @@ class FoldTool : public rviz::Tool {
   std::unique_ptr<FoldDrawing> drawing_;
   rviz::StringProperty* node_property_;
   rviz::EnumProperty* reach_property_;
-  rviz::RenderPanel* panel_ = nullptr;  ///< that the pointer was on last
+  QPointer<QWidget> panel_;  ///< that the pointer was on last; rviz destroys it before its tools
   std::optional<View> view_;
   std::uint64_t sheets_ = 0;  ///< of the link, when the gesture began
   std::string name_;          ///< of the next fold

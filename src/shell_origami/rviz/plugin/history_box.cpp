@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint32_t kQueue = 1000;
 constexpr int kNumber = Qt::UserRole;  ///< where an item keeps the number of its edit
 
-QString text(const msg::Edit& edit) {
+/// \param since  when the first edit of the list was
+QString editText(const msg::Edit& edit, const ros::Time& since) {
   QString what = QString::fromStdString(edit.kind);
   if (edit.kind == msg::Edit::FOLD) {
     const std::string& name = edit.crease.empty() ? edit.name : edit.crease;
@@ -29,10 +30,8 @@ QString text(const msg::Edit& edit) {
   } else if (!edit.path.empty()) {
     what += " " + QString::fromStdString(edit.path);
   }
-  return QString("%1   %2 s   %3")
-      .arg(edit.number)
-      .arg(edit.header.stamp.toSec(), 0, 'f', 1)
-      .arg(what);
+  const double time = (edit.header.stamp - since).toSec();
+  return QString("%1   +%2 s   %3").arg(edit.number).arg(time, 0, 'f', 1).arg(what);
 }
 
 }  // namespace
@@ -58,7 +57,8 @@ void HistoryBox::hear(const msg::Edit& edit) {
   if (edit.kind == msg::Edit::PAPER) return list_->clear();
   if (edit.kind == msg::Edit::UNDO) return forget(edit.undone);
   if (kNotUndone.count(edit.kind) > 0) return;
-  auto* item = new QListWidgetItem(text(edit), list_);
+  if (list_->count() == 0) since_ = edit.header.stamp;
+  auto* item = new QListWidgetItem(editText(edit, since_), list_);
   item->setData(kNumber, QVariant::fromValue<qulonglong>(edit.number));
   list_->scrollToBottom();
 }

@@ -26,6 +26,7 @@ class HistoryBox : public QWidget {
   NodeTopic<msg::Edit> edit_topic_;
   QListWidget* list_;
   QPushButton* back_;
+  ros::Time since_;   ///< when the first of them was
   std::string node_;  ///< whose edits are listed
 };
 

@@ -25,8 +25,8 @@ RunBox::RunBox(PanelDesk& desk)
   };
   trigger(0, 0, "Pause", "pause", "Stops simulated time");
   trigger(0, 1, "Resume", "resume", "Lets simulated time go on");
-  trigger(0, 2, "Settle", "settle", "Moves the paper to equilibrium at once");
-  addButton(*grid, 1, 0, "Step", "Takes so many steps, while paused", [this] {
+  trigger(1, 0, "Settle", "settle", "Moves the paper to equilibrium at once");
+  addButton(*grid, 0, 2, "Step", "Takes so many steps, while paused", [this] {
     msg::Step::Request request;
     request.steps = static_cast<std::uint32_t>(steps_->value());
     desk_.ask<msg::Step>("step", request);
@@ -35,22 +35,20 @@ RunBox::RunBox(PanelDesk& desk)
   steps_->setObjectName("steps");
   steps_->setRange(1, kMostSteps);
   steps_->setValue(10);
-  grid->addWidget(steps_, 1, 1);
-  addButton(*grid, 1, 2, "Undo", "Takes the last edit back",
+  grid->addWidget(steps_, 0, 3);
+  addButton(*grid, 1, 1, "Undo", "Takes the last edit back",
             [this] { desk_.ask<msg::Undo>("undo"); });
-  trigger(2, 2, "Reset", "reset", "The paper as it was loaded");
-  trigger(2, 0, "Turn over", "turn_over",
-          "Looks at the other side in requests that state no viewer");
-  addReading(*grid, 3, 0, "rest", rest_);
-  addReading(*grid, 3, 1, "pace", pace_);
-  addReading(*grid, 4, 0, "strain", strain_);
-  addReading(*grid, 4, 1, "contacts", contacts_);
+  trigger(1, 2, "Reset", "reset", "The paper as it was loaded");
+  addReading(*grid, 2, 0, "rest", rest_);
+  addReading(*grid, 2, 2, "pace", pace_);
+  addReading(*grid, 3, 0, "strain", strain_);
+  addReading(*grid, 3, 2, "contacts", contacts_);
 }
 
 void RunBox::addButton(QGridLayout& grid, int row, int column, const QString& text,
                        const QString& tip, const std::function<void()>& pressed) {
   auto* button = new QPushButton(text);
-  button->setObjectName(text.toLower().replace(' ', '_'));
+  button->setObjectName(text.toLower());
   button->setToolTip(tip);
   connect(button, &QPushButton::clicked, pressed);
   grid.addWidget(button, row, column);
@@ -60,7 +58,7 @@ void RunBox::addReading(QGridLayout& grid, int row, int column, const QString& n
                         QLabel*& reading) {
   reading = new QLabel;
   reading->setObjectName(name);
-  grid.addWidget(reading, row, column, 1, column == 0 ? 1 : 2);
+  grid.addWidget(reading, row, column, 1, 2);
 }
 
 void RunBox::refresh() {
@@ -76,7 +74,7 @@ void RunBox::refresh() {
     return;
   }
   pace_->setText(QString("real time x %1").arg(energy_->real_time_factor, 0, 'f', 2));
-  strain_->setText(QString("strain %1 %").arg(100 * energy_->max_strain, 0, 'g', 2));
+  strain_->setText(QString("strain %1 %").arg(100 * energy_->max_strain, 0, 'f', 4));
   contacts_->setText(QString("contacts %1").arg(energy_->contacts));
 }
 
