@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The rosservice lines of README.md and doc/folding.md run as they stand."""
+"""The rosservice lines of README.md, doc/folding.md and doc/tutorial.md run as they stand."""
 
 import os
 import re
@@ -39,6 +39,9 @@ class ReadmeTest(NodeTest):
     def test_every_line_about_folding_succeeds(self):
         self.assertEqual(self.run_lines_of('doc/folding.md'),
                          {'fold_through', 'layers', 'turn_over', 'undo', 'reset'})
+
+    def test_every_line_of_the_tutorial_succeeds(self):
+        self.assertEqual(self.run_lines_of('doc/tutorial.md'), {'reset', 'resume', 'fold_through', 'undo'})
 
 
 if __name__ == '__main__':

@@ -147,6 +147,33 @@ TEST_F(FoldToolTest, ACornerIsBroughtToAnother) {
   EXPECT_EQ(rviz.tool().gesture().phase(), Gesture::Phase::kIdle);
 }
 
+/// As doc/tutorial.md tells it.
+TEST_F(FoldToolTest, TheTutorial) {
+  call("resume");
+  rviz.drag(at(0, 0), at(kSide, kSide));
+  rviz.type("178");
+  rviz.pressKey(Qt::Key_Return);
+  rviz.wait("a triangle", [&] {
+    return rviz.link().state().creases.size() == 1 && rviz.link().state().settled &&
+           rviz.link().state().creases[0].angle > 3;
+  });
+  // Both halves have risen: they are seen from the side.
+  rviz.look(M_PI / 4, 0.1, 0.25);
+  rviz.click(at(kSide / 2, kSide / 2));
+  EXPECT_NE(rviz.status().find("middle of crease"), std::string::npos) << rviz.status();
+  rviz.click(at(kSide, kSide));
+  rviz.move(rviz.pixelOf({0.14, 0.06}));
+  waitForStatus("2 creases");
+  rviz.keepPicture("tutorial");
+  rviz.click(rviz.pixelOf({0.14, 0.06}));
+  rviz.wait("three creases", [&] { return rviz.link().state().creases.size() >= 3; });
+  const auto& states = rviz.link().state().creases;
+  EXPECT_LT(states[states.size() - 1].target_angle * states[states.size() - 2].target_angle, 0)
+      << "a mountain and a valley";
+  rviz.push("undo");
+  rviz.wait("one crease", [&] { return rviz.link().state().creases.size() == 1; });
+}
+
 TEST_F(FoldToolTest, ACreaseIsDraggedToAnotherAngle) {
   rviz.click(at(0, 0));
   rviz.click(at(kSide, kSide));

@@ -94,10 +94,10 @@ void RvizWindow::chooseNode(const QString& node) {
   wait("paper of " + node.toStdString(), [this] { return link_->paper() && link_->states() > 0; });
 }
 
-void RvizWindow::lookDown(double distance) {
+void RvizWindow::look(double yaw, double pitch, double distance) {
   rviz::ViewController& view = *frame_->getManager()->getViewManager()->getCurrent();
-  view.subProp("Pitch")->setValue(M_PI / 2);
-  view.subProp("Yaw")->setValue(3 * M_PI / 2);
+  view.subProp("Pitch")->setValue(pitch);
+  view.subProp("Yaw")->setValue(yaw);
   view.subProp("Distance")->setValue(distance);
   pass(0.3);  // it is applied as rviz draws
 }

@@ -8,6 +8,7 @@
 #include <QEvent>
 #include <QString>
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -50,8 +51,11 @@ class RvizWindow {
 
   /// Chooses the node whose paper is folded, and waits for its paper.
   void chooseNode(const QString& node);
-  /// Looks straight down on the paper's middle. \param distance  [m]
-  void lookDown(double distance);
+  /// Looks at the paper's middle. \param yaw  around it [rad] \param pitch  above it [rad]
+  /// \param distance  [m]
+  void look(double yaw, double pitch, double distance);
+  /// Looks straight down, +x to the right.
+  void lookDown(double distance) { look(3 * M_PI / 2, M_PI / 2, distance); }
   /// Where a point of the flat sheet is seen.
   Vector2 pixelOf(const Vector2& flat);
 

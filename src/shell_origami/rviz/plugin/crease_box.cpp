@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 constexpr int kMostDegrees = 179;
+constexpr int kRowHeight = 22;  // [pixel]
 enum Column { kName, kAngle, kTarget, kMoment, kSlider, kColumns };
 
 QString degreesText(double angle) { return QString::number(angle / kDegree, 'f', 1); }
@@ -28,9 +29,11 @@ CreaseBox::CreaseBox(PanelDesk& desk) : desk_(desk), table_(new QTableWidget(0, 
   table_->setHorizontalHeaderLabels({"Crease", "Angle °", "Target", "mN", "Fold to"});
   table_->horizontalHeaderItem(kMoment)->setToolTip("Moment [mN m per m], towards a valley > 0");
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
+  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  for (int column : {kAngle, kTarget, kMoment}) table_->setColumnWidth(column, 52);
-  table_->setColumnWidth(kName, 68);
+  for (int column : {kAngle, kTarget, kMoment}) table_->setColumnWidth(column, 48);
+  table_->setColumnWidth(kName, 60);
   table_->horizontalHeader()->setMinimumSectionSize(40);
   table_->horizontalHeader()->setStretchLastSection(true);
 }

@@ -46,6 +46,8 @@ void PaperLink::choose(const std::string& node) {
   if (node == node_) return;
   node_ = node;
   paper_.reset();
+  state_ = {};
+  heard_ = {};
   unreadable_.clear();
   ++sheets_;
   sheet_subscriber_ = state_subscriber_ = ros::Subscriber();
@@ -70,7 +72,7 @@ std::string PaperLink::problem() const {
   if (state_subscriber_.getNumPublishers() == 0) {
     return "there is no node " + name + ": start it, or choose another in the panel Origami";
   }
-  if (!paper_) return "waiting for the paper of " + name;
+  if (!paper_ || heard_.isZero()) return "waiting for the paper of " + name;
   const double silent = (ros::WallTime::now() - heard_).toSec();
   if (silent < kSilence) return "";
   return name + " has been silent for " + std::to_string(std::lround(silent)) + " s";
@@ -99,7 +101,7 @@ void PaperLink::hearSheet(const msg::Sheet& sheet) {
     paper_ = std::make_unique<ShownPaper>(sheetFrom(sheet));
     caster_.emplace(paper_->sheet().flatPositions(), paper_->sheet().triangles());
     caster_follows_ = false;
-    if (state_.revision == revision_) hearState(msg::SheetState(state_));
+    if (!heard_.isZero() && state_.revision == revision_) hearState(msg::SheetState(state_));
   } catch (const std::exception& error) {
     unreadable_ = "the sheet of " + ros::names::resolve(node_) + " cannot be read: " + error.what();
   }

@@ -33,8 +33,8 @@ class PaperLink {
   void poll();
   /// Why there is no paper, or why it may be out of date; empty: there is one.
   std::string problem() const;
-  /// The paper; null: there is none.
-  const ShownPaper* paper() const { return paper_.get(); }
+  /// The paper where it is; null: there is none.
+  const ShownPaper* paper() const { return heard_.isZero() ? nullptr : paper_.get(); }
   /// The caster on the paper as it is. \pre paper()
   const RayCaster& caster();
   /// The last state. \pre paper()
@@ -58,7 +58,7 @@ class PaperLink {
   std::optional<RayCaster> caster_;
   bool caster_follows_ = false;
   msg::SheetState state_;
-  ros::WallTime heard_;  ///< when the last state was
+  ros::WallTime heard_;  ///< when the last state was; zero: there is none of this node
   std::uint64_t states_ = 0, sheets_ = 0;
 };
 
