@@ -26,7 +26,9 @@ CreaseBox::CreaseBox(PanelDesk& desk) : desk_(desk), table_(new QTableWidget(0, 
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(table_);
   table_->setObjectName("creases");
-  table_->setHorizontalHeaderLabels({"Crease", "Angle °", "Target", "mN", "Fold to"});
+  table_->setHorizontalHeaderLabels({"Crease", "Angle", "Target", "mN", "Fold to"});
+  table_->horizontalHeaderItem(kAngle)->setToolTip("Now [degrees], valley > 0");
+  table_->horizontalHeaderItem(kTarget)->setToolTip("Where it is folding to [degrees]");
   table_->horizontalHeaderItem(kMoment)->setToolTip("Moment [mN m per m], towards a valley > 0");
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
