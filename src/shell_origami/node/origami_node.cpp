@@ -294,7 +294,8 @@ std::uint64_t OrigamiNode::undo(std::uint32_t count) {
 }
 
 std::uint64_t OrigamiNode::undoFrom(std::uint64_t edit) {
-  const std::uint32_t count = run_.session.editsFrom(edit);
+  const Session& session = run_.session;
+  const std::uint32_t count = edit > session.edits() ? 0 : session.editsFrom(edit);
   if (count == 0) reject("since is ", edit, ", but that edit cannot be undone");
   return undo(count);
 }
