@@ -33,6 +33,7 @@ def bare_config(view, box, width, height):
     """rviz's configuration with a recipe's view of the box, no panels."""
     config = config_for(view, box)
     config["Panels"] = []
+    config["Visualization Manager"]["Tools"] = [{"Class": "rviz/MoveCamera"}]
     config["Window Geometry"] = {"X": 0, "Y": 0, "Width": width, "Height": height,
                                  "Hide Left Dock": True, "Hide Right Dock": True}
     return config

@@ -133,15 +133,15 @@ class Origami(object):
     # Folding
 
     def fold(self, line=None, crease='', vertices=(), angle=0.0, part=0.0, duration=0.0,
-             stiffness=0.0):
+             stiffness=0.0, name=''):
         """Folds along a line of two points, along that between two vertices, or at a crease or a
         group of creases, to an angle or a part of the pattern's. Further fields as of Fold.srv."""
         return self.request('fold', line=[flat_point(p) for p in line or ()], crease=crease,
                             vertices=vertices, angle=angle, part=part, duration=duration,
-                            stiffness=stiffness)
+                            stiffness=stiffness, name=name)
 
     def fold_through(self, layers='all', flap=None, way='front', viewer=(0, 0, 0), angle=0.0,
-                     duration=0.0, dry_run=False, **words):
+                     duration=0.0, dry_run=False, name='', **words):
         """Folds through layers, told in the words of a recipe: bring, to; edge, to_edge; across,
         at, move; or through, move. Places are as landmark() takes them.
 
@@ -160,7 +160,8 @@ class Origami(object):
         chosen = 'flap' if flap is not None else 'top' if top else 'all'
         return self.request('fold_through', axiom=axiom, points=points, layers=chosen, count=top,
                             flap=Landmark() if flap is None else landmark(flap), way=way,
-                            viewer=Vector3(*viewer), angle=angle, duration=duration, dry_run=dry_run)
+                            viewer=Vector3(*viewer), angle=angle, duration=duration, dry_run=dry_run,
+                            name=name)
 
     def layers(self, point, viewer=(0, 0, 0)):
         """Asks what lies at a place, from front to back."""
@@ -195,8 +196,9 @@ class Origami(object):
     def add_vertex(self, edge, fraction):
         return self.request('add_vertex', edge=edge, fraction=fraction)
 
-    def undo(self, edits=1):
-        return self.request('undo', edits=edits)
+    def undo(self, edits=1, since=0):
+        """Takes back the last edits, or the one with the number `since` and all after it."""
+        return self.request('undo', edits=0 if since else edits, since=since)
 
     # Holding
 

@@ -131,6 +131,20 @@ class LiveTest(NodeTest):
                 lambda m: any(n.ns == 'vertex_ids' and n.action == action for n in m.markers))
             self.assertEqual(sum(n.ns == 'vertex_ids' for n in message.markers), count)
 
+    def test_coloring(self):
+        markers = Recorder('/origami/markers', MarkerArray)
+        self.origami.do('fold', line=line(0.05, 0, 0.05, SIDE), angle=1, duration=0.1)
+        self.after_steps(30)
+
+        def colors(name):
+            self.assertEqual(self.live.update_configuration({'colouring': name})['colouring'], name)
+            self.origami.do('step', steps=1)
+            seen = len(markers.all())
+            drawn = markers.wait(lambda m: any(n.ns == 'front' for n in m.markers), since=max(0, seen - 1))
+            return {(c.r, c.g, c.b) for m in drawn.markers if m.ns == 'front' for c in m.colors}
+        self.assertNotEqual(colors('curvature'), colors('paper'))
+        self.assertEqual(self.live.update_configuration({'colouring': 'rainbow'})['colouring'], 'paper')
+
     def test_a_change_leaves_alone_what_a_loaded_paper_brought(self):
         self.change(gravity_z=-9.81, fold_duration=3)
         self.origami.do('load', path=HEAVY)

@@ -187,7 +187,7 @@ TEST(Labels, WhatIsNoLongerWantedIsDeletedOnce) {
   painter.setSheet(drawn.sheet);
   const MarkerArray shown = painter.draw(drawn.state);
   EXPECT_EQ(inNamespace(shown, "vertex_ids").size(), drawn.state.positions.size());
-  painter.choose({});
+  painter.choose({}, Coloring::kPaper);
   const MarkerArray deleted = painter.draw(drawn.state);
   for (const char* name : {"vertex_ids", "crease_labels"}) {
     EXPECT_EQ(inNamespace(deleted, name).size(), inNamespace(shown, name).size());

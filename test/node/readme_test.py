@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""The rosservice lines of README.md and doc/folding.md run as they stand."""
+"""The rosservice lines of README.md, doc/folding.md and doc/tutorial.md run as they stand."""
 
 import os
 import re
 import subprocess
+import tempfile
 
 import rospy
 import rostest
@@ -39,6 +40,14 @@ class ReadmeTest(NodeTest):
     def test_every_line_about_folding_succeeds(self):
         self.assertEqual(self.run_lines_of('doc/folding.md'),
                          {'fold_through', 'layers', 'turn_over', 'undo', 'reset'})
+
+    def test_every_line_of_the_tutorial_succeeds(self):
+        # The other pages leave papers of their own, to which a reset would return.
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as recipe:
+            recipe.write('sheet: {size: [0.15, 0.15], max_edge: 0.01}\nsteps: []\n')
+            recipe.flush()
+            self.origami.do('load', path=recipe.name)
+        self.assertEqual(self.run_lines_of('doc/tutorial.md'), {'reset', 'resume', 'fold_through', 'undo'})
 
 
 if __name__ == '__main__':

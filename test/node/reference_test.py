@@ -263,7 +263,7 @@ class ReferenceTest(unittest.TestCase):
         high = {v.name: v.value for v in description.max.doubles}
         self.assertEqual({name: (low[name], high[name]) for name in low},
                          {name: (b.low, b.high) for name, b in wanted.items() if b})
-        self.assertEqual({v.name for v in description.dflt.doubles + description.dflt.bools},
+        self.assertEqual({v.name for v in description.dflt.doubles + description.dflt.bools + description.dflt.strs},
                          set(wanted))
 
 

@@ -92,6 +92,14 @@ class ServicesTest(NodeTest):
         self.assertAlmostEqual(state.creases[0].target_angle, -0.4, delta=1e-6)
         self.assertAlmostEqual(state.creases[1].target_angle, 0.6, delta=1e-6)
 
+    def test_a_new_crease_has_the_name_that_is_asked_for(self):
+        self.origami.do('fold', line=line(0.05, 0, 0.05, SIDE), angle=0.6, name='wing')
+        self.assertEqual([crease.name for crease in self.origami.sheet().creases], ['wing'])
+        for fields in (dict(crease='wing', name='tail'), dict(line=line(0.1, 0, 0.1, SIDE), name='all')):
+            answer = self.origami.call('fold', angle=0.6, **fields)
+            self.assertFalse(answer.success)
+            self.assertIn(fields['name'], answer.message)
+
     def test_add_vertex_lets_a_fold_start_there(self):
         sheet = self.origami.sheet()
         border = [i for i, p in enumerate(sheet.flat_positions) if abs(p.y) < 1e-9]

@@ -90,6 +90,27 @@ class UndoTest(NodeTest):
         for word in words:
             self.assertIn(word, answer.message)
 
+    def test_an_edit_is_named_by_its_number(self):
+        before = self.origami.state()
+        first = self.fold(0.05, 1.0).edit
+        self.origami.do('pin', vertices=[0])
+        corner = Landmark()
+        corner.flat.x = corner.flat.y = SIDE
+        through = self.origami.do('fold_through', axiom='bring', points=[Landmark(), corner])
+        expected = self.origami.state()
+        self.origami.do('pin', vertices=[1])
+        # Any of the creases that were made together stands for all of them.
+        last = self.origami.do('pin', vertices=[2]).edit
+        self.origami.do('undo', since=last - 1)
+        self.assertSamePaper(self.origami.state(), expected)
+        self.origami.do('undo', since=through.edit)
+        self.assertEqual(len(self.origami.state().pinned), 1)
+        self.origami.do('undo', since=first)
+        self.assertSamePaper(self.origami.state(), before)
+        self.assertEqual(self.origami.last_edit('undo').undone, first)
+        self.refused('since is 1000000,', since=1000000)
+        self.refused('only one of them', since=first, edits=1)
+
     def test_a_fold_under_way_goes_on_as_if_the_next_one_had_not_been(self):
         self.fold(0.05, 2.0)
         self.origami.do('step', steps=10)

@@ -235,6 +235,13 @@ FoldEdit foldEdit(const msg::Fold::Request& request) {
   fold.part = request.part;
   fold.duration = unlessZero(request.duration);
   fold.stiffness = unlessZero(request.stiffness);
+  if (!request.name.empty()) {
+    if (!request.crease.empty()) {
+      reject("name is \"", request.name, "\", but the crease \"", request.crease, "\" has its own");
+    }
+    checkCreaseName(request.name);
+    fold.name = request.name;
+  }
   return fold;
 }
 

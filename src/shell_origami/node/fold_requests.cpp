@@ -130,6 +130,8 @@ FoldThrough foldThroughFrom(const msg::FoldThrough::Request& request,
     reject("duration is ", request.duration, " s, but must be positive, or 0 for fold_duration");
   }
   if (request.duration != 0) fold.duration = request.duration;
+  if (!request.name.empty()) checkCreaseName(request.name);
+  fold.name = request.name;
   return fold;
 }
 

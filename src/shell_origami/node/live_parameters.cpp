@@ -1,5 +1,7 @@
 #include <shell_origami/node/live_parameters.h>
 
+#include <shell_origami/base/error.h>
+
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -15,7 +17,7 @@ constexpr double kFollowPeriod = 0.2;
 /// Where a parameter's value, or one of its components, lies; by its name under ~live.
 struct LiveField {
   std::string name;
-  std::variant<double*, bool*> value;
+  std::variant<double*, bool*, Choice> value;
   Bounds bounds;
 };
 
@@ -32,6 +34,8 @@ std::vector<LiveField> liveFields(NodeConfig& config) {
       }
     } else if (const auto* truth = std::get_if<bool*>(&place)) {
       fields.push_back({name, *truth, parameter.bounds});
+    } else if (const auto* choice = std::get_if<Choice>(&place)) {
+      fields.push_back({name, *choice, parameter.bounds});
     } else {
       fields.push_back({name, std::get<double*>(place), parameter.bounds});
     }
@@ -39,14 +43,18 @@ std::vector<LiveField> liveFields(NodeConfig& config) {
   return fields;
 }
 
-using Values = std::map<std::string, double>;  ///< true: 1
+using Value = std::variant<double, std::string>;  ///< true: 1
+using Values = std::map<std::string, Value>;
+
+bool isTrue(const Value& value) { return std::get<double>(value) != 0; }
 
 Values valuesOf(const OrigamiConfig& config) {
   dynamic_reconfigure::Config message;
   config.__toMessage__(message);
   Values values;
   for (const auto& number : message.doubles) values[number.name] = number.value;
-  for (const auto& truth : message.bools) values[truth.name] = truth.value;
+  for (const auto& truth : message.bools) values[truth.name] = static_cast<double>(truth.value);
+  for (const auto& word : message.strs) values[word.name] = word.value;
   return values;
 }
 
@@ -55,8 +63,9 @@ OrigamiConfig configOf(const Values& values) {
   OrigamiConfig config = OrigamiConfig::__getDefault__();
   dynamic_reconfigure::Config message;
   config.__toMessage__(message);
-  for (auto& number : message.doubles) number.value = values.at(number.name);
-  for (auto& truth : message.bools) truth.value = values.at(truth.name) != 0;
+  for (auto& number : message.doubles) number.value = std::get<double>(values.at(number.name));
+  for (auto& truth : message.bools) truth.value = isTrue(values.at(truth.name));
+  for (auto& word : message.strs) word.value = std::get<std::string>(values.at(word.name));
   config.__fromMessage__(message);
   return config;
 }
@@ -65,6 +74,24 @@ OrigamiConfig configOf(const Values& values) {
 ros::NodeHandle cleared(const ros::NodeHandle& node) {
   node.deleteParam("live");
   return ros::NodeHandle(node, "live");
+}
+
+Value valueOf(const LiveField& field) {
+  if (const auto* number = std::get_if<double*>(&field.value)) return **number;
+  if (const auto* truth = std::get_if<bool*>(&field.value)) return **truth ? 1.0 : 0.0;
+  return std::get<Choice>(field.value).get();
+}
+
+/// \throws std::invalid_argument for a word that is no choice
+void set(LiveField& field, const Value& value) {
+  if (auto* const* number = std::get_if<double*>(&field.value)) {
+    **number = std::get<double>(value);
+  } else if (auto* const* truth = std::get_if<bool*>(&field.value)) {
+    **truth = isTrue(value);
+  } else if (auto& choice = std::get<Choice>(field.value);
+             !choice.set(std::get<std::string>(value))) {
+    reject(field.name, " is \"", std::get<std::string>(value), "\", but must be ", choice.text());
+  }
 }
 
 }  // namespace
@@ -88,9 +115,7 @@ NodeConfig LiveParameters::parameters() const {
 OrigamiConfig LiveParameters::current() const {
   NodeConfig config = parameters();
   Values values;
-  for (const auto& [name, value, bounds] : liveFields(config)) {
-    std::visit([&, name = name](auto* place) { values[name] = *place; }, value);
-  }
+  for (const LiveField& field : liveFields(config)) values[field.name] = valueOf(field);
   return configOf(values);
 }
 
@@ -99,10 +124,14 @@ OrigamiConfig LiveParameters::current() const {
 void LiveParameters::describe() {
   NodeConfig config = parameters();
   Values low, high;
-  for (const auto& [name, value, bounds] : liveFields(config)) {
-    const bool number = std::holds_alternative<double*>(value);
-    low[name] = number ? bounds.low : 0;
-    high[name] = number ? bounds.high : 1;
+  for (const LiveField& field : liveFields(config)) {
+    const bool number = std::holds_alternative<double*>(field.value);
+    if (std::holds_alternative<Choice>(field.value)) {
+      low[field.name] = high[field.name] = "";
+    } else {
+      low[field.name] = number ? field.bounds.low : 0;
+      high[field.name] = number ? field.bounds.high : 1;
+    }
   }
   server_.setConfigMin(configOf(low));
   server_.setConfigMax(configOf(high));
@@ -113,13 +142,11 @@ void LiveParameters::describe() {
 /// meanwhile.
 void LiveParameters::change(OrigamiConfig& config) {
   const Values asked = valuesOf(config), shown = valuesOf(shown_);
-  NodeConfig wanted = parameters();
-  for (const auto& [name, value, bounds] : liveFields(wanted)) {
-    if (asked.at(name) == shown.at(name)) continue;
-    if (auto* const* number = std::get_if<double*>(&value)) **number = asked.at(name);
-    else *std::get<bool*>(value) = asked.at(name) != 0;
-  }
   try {
+    NodeConfig wanted = parameters();
+    for (LiveField& field : liveFields(wanted)) {
+      if (asked.at(field.name) != shown.at(field.name)) set(field, asked.at(field.name));
+    }
     apply(wanted);
   } catch (const std::invalid_argument& error) {
     ROS_WARN("live parameters refused: %s", error.what());

@@ -85,8 +85,9 @@ void OrigamiNode::startWatched() {
 void OrigamiNode::configure(const NodeConfig& config) {
   config_.publish_rate = config.publish_rate;
   config_.markers = config.markers;
+  config_.colouring = config.colouring;
   config_.real_time_factor = config.real_time_factor;
-  publishers_.choose(config.markers);
+  publishers_.choose(config.markers, config.colouring);
   clock_->setFactor(config.real_time_factor, run_.session.time());
   changed_ = true;
 }
@@ -292,6 +293,13 @@ std::uint64_t OrigamiNode::undo(std::uint32_t count) {
   return edit;
 }
 
+std::uint64_t OrigamiNode::undoFrom(std::uint64_t edit) {
+  const Session& session = run_.session;
+  const std::uint32_t count = edit > session.edits() ? 0 : session.editsFrom(edit);
+  if (count == 0) reject("since is ", edit, ", but that edit cannot be undone");
+  return undo(count);
+}
+
 void OrigamiNode::onEdit(const EditRecord& record) {
   if (run_.recipe && countsForUndo(record.edit)) run_.recipe->remember(record.number);
   if (LongSettle* settling = requests_.settling()) settling->outdate();
@@ -319,13 +327,16 @@ void OrigamiNode::onUndo(std::uint64_t edit) {
   requests_.endRecipeSettle();
   step_ = {};
   publishers_.lookAnew();
-  publishPaper(msg::Edit::UNDO);
+  publishPaper(msg::Edit::UNDO, "", edit);
 }
 
-void OrigamiNode::publishPaper(const std::string& kind, const std::string& path) {
+void OrigamiNode::publishPaper(const std::string& kind, const std::string& path,
+                               std::uint64_t undone) {
   // A whole paper is a large message. Who listens later is sent it then.
   if (publishers_.editsHeard()) {
-    publishers_.publishEdit(paperMessage(run_.session, kind, path), stamp());
+    msg::Edit edit = paperMessage(run_.session, kind, path);
+    edit.undone = undone;
+    publishers_.publishEdit(edit, stamp());
   }
   changed_ = true;
 }

@@ -79,6 +79,9 @@ class OrigamiNode : private SessionListener {
   /// Session::undo(). The recipe that runs goes back with the paper; where it had not begun then,
   /// it is abandoned.
   std::uint64_t undo(std::uint32_t count);
+  /// The same of the edit with a number and all after it. \throws std::invalid_argument when the
+  /// paper before it is not kept
+  std::uint64_t undoFrom(std::uint64_t edit);
 
   /// The recipe under way; null where there is none.
   RecipeRun* recipe() { return run_.recipe ? &*run_.recipe : nullptr; }
@@ -97,7 +100,8 @@ class OrigamiNode : private SessionListener {
   void onLoad(const std::string& path) override;
   void onReset() override;
   void onUndo(std::uint64_t edit) override;
-  void publishPaper(const std::string& kind, const std::string& path = "");
+  void publishPaper(const std::string& kind, const std::string& path = "",
+                    std::uint64_t undone = 0);
   msg::Edit wholePaper();
   void keepCheckpoint(bool now = false);
   bool applyOfRecipe(const std::vector<Edit>& edits);

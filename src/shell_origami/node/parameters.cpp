@@ -83,7 +83,7 @@ ParameterTable<NodeConfig> makeTable() {
         "whether `~markers` shows the creases' names and angles", "", kUnbounded, kLive},
        {"contact_points", option(&MarkerOptions::contact_points),
         "whether `~markers` shows where layers push each other apart", "", kUnbounded, kLive},
-       {"colouring", coloring, "what the colors of `~markers` tell", "", kUnbounded},
+       {"colouring", coloring, "what the colors of `~markers` tell", "", kUnbounded, kLive},
        {"cloud/points", at(&Config::cloud_points),
         "about how many `~cloud` has, half of them on each side", "", between(2, 1e6)},
        {"depth/frame", depth(&DepthConfig::frame),

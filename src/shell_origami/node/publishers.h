@@ -32,7 +32,9 @@ class Publishers {
   void publishEdit(msg::Edit edit, const ros::Time& stamp);
   bool editsHeard() const { return edit_.getNumSubscribers() > 0; }
 
-  void choose(const MarkerOptions& options) { markers_.choose(options); }
+  void choose(const MarkerOptions& options, Coloring colouring) {
+    markers_.choose(options, colouring);
+  }
 
   /// Where a camera is to stand that looks at the paper. Returns false where it stands there.
   bool publishView(const View& view, const ros::Time& stamp);

@@ -269,7 +269,12 @@ bool Services::reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& r
 
 bool Services::undo(msg::Undo::Request& request, msg::Undo::Response& response) {
   return answer("undo", response, [&] {
-    const std::uint64_t edit = origami_.undo(std::max(1U, request.edits));
+    if (request.since != 0 && request.edits != 0) {
+      reject("edits is ", request.edits, " and since is ", request.since,
+             ", but only one of them may be given");
+    }
+    const std::uint64_t edit = request.since != 0 ? origami_.undoFrom(request.since)
+                                                  : origami_.undo(std::max(1U, request.edits));
     response.revision = origami_.session().revision();
     response.edit = origami_.session().edits();
     return "the paper is as it was before edit " + std::to_string(edit) + whilePaused();

@@ -88,6 +88,9 @@ class Session {
   /// \param count  of the edits, at least 1
   /// \throws std::invalid_argument when these are more than are kept
   std::uint64_t undo(std::uint32_t count);
+  /// Returns how many edits undo() has to take back to be before the edit of a number; 0: that
+  /// paper is not kept.
+  std::uint32_t editsFrom(std::uint64_t edit) const { return history_.countFrom(edit); }
   /// The same before the edit of a number. Returns false, and does nothing, where that paper is not
   /// kept.
   bool undoFrom(std::uint64_t edit);

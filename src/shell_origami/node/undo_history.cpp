@@ -27,9 +27,11 @@ void UndoHistory::dropOldest() {
 }
 
 std::uint32_t UndoHistory::countFrom(std::uint64_t edit) const {
-  const auto found = std::find_if(kept_.begin(), kept_.end(),
-                                  [edit](const Kept& kept) { return kept.before.edit == edit; });
-  return static_cast<std::uint32_t>(kept_.end() - found);
+  const auto after =
+      std::upper_bound(kept_.begin(), kept_.end(), edit,
+                       [](std::uint64_t e, const Kept& kept) { return e < kept.before.edit; });
+  if (after == kept_.begin()) return 0;
+  return static_cast<std::uint32_t>(kept_.end() - after) + 1;
 }
 
 BeforeEdit UndoHistory::goBack(std::uint32_t count) {

@@ -29,7 +29,8 @@ class UndoHistory {
   bool keeps() const { return most_bytes_ > 0; }
 
   void add(BeforeEdit before);
-  /// Returns how many edits have been since one, itself included; 0: it is not kept.
+  /// Returns how many edits have been since one, itself included; 0: it is not kept. One that was
+  /// made together with others stands for all of them, one that does not count for the one before.
   std::uint32_t countFrom(std::uint64_t edit) const;
   /// Returns what was before the last `count` edits, and forgets these.
   /// \throws std::invalid_argument when it does not go back that far, and then forgets nothing

@@ -47,6 +47,8 @@ class SheetColours {
 
   /// \pre every vertex that the sheet names exists
   void setSheet(const msg::Sheet& sheet);
+  /// The sheet has to be set again.
+  void choose(Coloring colouring) { colouring_ = colouring; }
   Coloring coloring() const { return colouring_; }
   /// One entry a triangle. Where pressures are wanted and there are none, the paper's own colours.
   /// \pre x has a column for each vertex of the sheet, and pressures [Pa], unless empty, an entry

@@ -21,7 +21,9 @@ class MarkerPublisher {
 
   /// The next drawing is sent, whether it differs or not.
   void setSheet(const msg::Sheet& sheet);
-  void choose(const MarkerOptions& options) { painter_.choose(options); }
+  void choose(const MarkerOptions& options, Coloring colouring) {
+    painter_.choose(options, colouring);
+  }
   const MarkerPainter& painter() const { return painter_; }
   bool heard() const { return markers_.getNumSubscribers() > 0; }
   /// When the last of those who listen began to; zero: nobody listens.

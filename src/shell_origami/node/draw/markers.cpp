@@ -96,6 +96,13 @@ void MarkerPainter::setSheet(const msg::Sheet& sheet) {
   colours_.setSheet(sheet_);
 }
 
+void MarkerPainter::choose(const MarkerOptions& options, Coloring colouring) {
+  labels_.choose(options);
+  if (colours_.coloring() == colouring) return;
+  colours_.choose(colouring);
+  colours_.setSheet(sheet_);
+}
+
 bool MarkerPainter::fits(const msg::SheetState& state) const {
   return state.revision == sheet_.revision && !sheet_.triangles.empty() &&
          state.positions.size() == sheet_.flat_positions.size() &&

@@ -25,7 +25,7 @@ class MarkerPainter {
   MarkerPainter(const MarkerOptions& options, Coloring colouring)
       : labels_(options), colours_(colouring) {}
 
-  void choose(const MarkerOptions& options) { labels_.choose(options); }
+  void choose(const MarkerOptions& options, Coloring colouring);
   /// A sheet that names vertices it does not have is taken for none.
   void setSheet(const msg::Sheet& sheet);
   /// Whether the state belongs to the sheet that was set.
