@@ -17,7 +17,12 @@ constexpr int kMostDegrees = 179;
 constexpr int kRowHeight = 22;  // [pixel]
 enum Column { kName, kAngle, kTarget, kMoment, kSlider, kColumns };
 
-QString degreesText(double angle) { return QString::number(angle / kDegree, 'f', 1); }
+/// Returns a number with one decimal, and no sign before a zero.
+QString decimalText(double value) {
+  return QString::number(std::round(10 * value) / 10 + 0.0, 'f', 1);
+}
+
+QString degreesText(double angle) { return decimalText(angle / kDegree); }
 
 }  // namespace
 
@@ -34,8 +39,9 @@ CreaseBox::CreaseBox(PanelDesk& desk) : desk_(desk), table_(new QTableWidget(0, 
   table_->verticalHeader()->setDefaultSectionSize(kRowHeight);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  for (int column : {kAngle, kTarget, kMoment}) table_->setColumnWidth(column, 48);
-  table_->setColumnWidth(kName, 60);
+  for (int column : {kAngle, kTarget}) table_->setColumnWidth(column, 56);
+  table_->setColumnWidth(kMoment, 44);
+  table_->setColumnWidth(kName, 66);
   table_->horizontalHeader()->setMinimumSectionSize(40);
   table_->horizontalHeader()->setStretchLastSection(true);
 }
@@ -82,7 +88,7 @@ void CreaseBox::refresh() {
     const double target = held ? slider.value() * kDegree : states[i].target_angle;
     table_->item(row, kAngle)->setText(degreesText(states[i].angle));
     table_->item(row, kTarget)->setText(degreesText(target));
-    table_->item(row, kMoment)->setText(QString::number(1e3 * states[i].moment, 'f', 1));
+    table_->item(row, kMoment)->setText(decimalText(1e3 * states[i].moment));
     if (!held) slider.setValue(static_cast<int>(std::lround(target / kDegree)));
   }
 }
