@@ -174,6 +174,20 @@ def flat_folded(rows, axes):
     axes.legend(fontsize=8)
 
 
+def pressed_crease(rows, axes):
+    gaps = [0.0012 + 0.00005 * i for i in range(65)]
+    for hardening, of, colour in groups(rows, 'hardening'):
+        axes.semilogx([1000 * gap for gap in gaps],
+                      [math.degrees((1.332 - 1.690 * math.log(200 * gap)) / (1 + hardening))
+                       for gap in gaps], color=colour, label='formula, hardening %g' % hardening)
+        axes.semilogx([1000 * row['gap'] for row in of], column(of, 'simulated'), 'o', color=colour,
+                      label='simulation')
+    axes.set(xlabel='gap [mm]', ylabel='angle that is kept [degrees]', xticks=[1.5, 2, 3, 4])
+    axes.xaxis.set_major_formatter('{x:g}')
+    axes.xaxis.set_minor_formatter('')
+    axes.legend()
+
+
 FIGURES = [
     ('3 Order in time', time_order, 'Change of the state after 1.25 periods when the time step is '
      'halved. Dashed: orders 2 and 1.'),
@@ -192,6 +206,8 @@ FIGURES = [
     ("10 The apple's cone", cone, ''),
     ('11 Flat-folded states', flat_folded, 'Creases folded to 180 - d degrees, against the flat '
      'sheet reflected in them.'),
+    ('17 Creases pressed into paper', pressed_crease, 'A strip of copy paper that plates press to a '
+     'gap.'),
 ]
 
 

@@ -78,6 +78,7 @@ const std::vector<DogFold> kDog{{{Vector2(0.0435, 0.0435), Vector2(0, 0)}, "170"
                                 {{Vector2(0.126, 0.126), Vector2(0.15, 0.06348)}, "175.9"}};
 
 TEST_F(FoldToolTest, ADogIsFoldedClickByClick) {
+  const RvizWindow::Film film(rviz, "dog");
   const auto segment = Qt::ControlModifier | Qt::ShiftModifier;
   for (std::size_t i = 0; i < kDog.size(); ++i) {
     for (const Vector2& end : kDog[i].line) rviz.click(at(end.x(), end.y()), segment);
@@ -95,6 +96,7 @@ TEST_F(FoldToolTest, ADogIsFoldedClickByClick) {
     }
     EXPECT_EQ(found, 1) << fold.line[1].transpose();
   }
+  rviz.look(5.1, 0.35, 0.3);
   call("resume");
   rviz.wait(
       "a folded dog", [&] { return rviz.link().state().settled; }, 60);

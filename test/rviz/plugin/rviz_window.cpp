@@ -72,11 +72,33 @@ std::string RvizWindow::status() {
   return all;
 }
 
+namespace {
+
+QString pictureFolder() { return qEnvironmentVariable("PICTURES"); }
+
+void saveScreen(const QString& name) {
+  qApp->primaryScreen()->grabWindow(0).save(pictureFolder() + "/" + name + ".png");
+}
+
+}  // namespace
+
 void RvizWindow::keepPicture(const QString& name) {
-  const QString folder = qEnvironmentVariable("PICTURES");
-  if (folder.isEmpty()) return;
+  if (pictureFolder().isEmpty()) return;
   pass(0.3);  // until it is drawn
-  qApp->primaryScreen()->grabWindow(0).save(folder + "/" + name + ".png");
+  saveScreen(name);
+}
+
+RvizWindow::Film::Film(RvizWindow& window, const QString& name) : window_(window) {
+  if (pictureFolder().isEmpty()) return;
+  window_.filmed_ = true;
+  QObject::connect(&timer_, &QTimer::timeout, [this, name] {
+    saveScreen(name + QString("_%1").arg(count_++, 4, 10, QChar('0')));
+  });
+  timer_.start(200);
+}
+
+void RvizWindow::takeTime() {
+  if (filmed_) pass(0.6);
 }
 
 FoldTool& RvizWindow::tool() {
@@ -129,6 +151,7 @@ void RvizWindow::release(const Vector2& pixel, Qt::KeyboardModifiers keys) {
 
 void RvizWindow::click(const Vector2& pixel, Qt::KeyboardModifiers keys, Qt::MouseButton button) {
   move(pixel, keys);
+  takeTime();
   send(QEvent::MouseButtonPress, pixel, button, button, keys);
   send(QEvent::MouseButtonRelease, pixel, button, Qt::NoButton, keys);
 }
@@ -160,7 +183,10 @@ void RvizWindow::type(const std::string& keys) {
   for (char key : keys) QTest::keyClick(&view(), key);
 }
 
-void RvizWindow::pressKey(Qt::Key key) { QTest::keyClick(&view(), key); }
+void RvizWindow::pressKey(Qt::Key key) {
+  takeTime();
+  QTest::keyClick(&view(), key);
+}
 
 void RvizWindow::leaveTool() {
   pressKey(Qt::Key_Escape);  // ends a gesture

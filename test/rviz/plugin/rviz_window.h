@@ -7,6 +7,7 @@
 #include <rviz/visualization_frame.h>
 #include <QEvent>
 #include <QString>
+#include <QTimer>
 
 #include <cmath>
 #include <functional>
@@ -42,6 +43,9 @@ class RvizWindow {
   std::string status();
   /// Saves the screen in the folder that the environment names as PICTURES, if it does.
   void keepPicture(const QString& name);
+  /// With PICTURES, saves the screen five times a second there as NAME_<number>.png while it lives,
+  /// and has the person take time.
+  class Film;
 
   PaperLink& link() { return *link_; }
   const ShownPaper& paper() { return *link_->paper(); }
@@ -77,8 +81,23 @@ class RvizWindow {
   void send(QEvent::Type type, const Vector2& pixel, Qt::MouseButton button,
             Qt::MouseButtons buttons, Qt::KeyboardModifiers keys);
 
+  /// So that a film shows what is done.
+  void takeTime();
+
   std::unique_ptr<rviz::VisualizationFrame> frame_;
   std::shared_ptr<PaperLink> link_;
+  bool filmed_ = false;
+};
+
+class RvizWindow::Film {
+ public:
+  Film(RvizWindow& window, const QString& name);
+  ~Film() { window_.filmed_ = false; }
+
+ private:
+  RvizWindow& window_;
+  QTimer timer_;
+  int count_ = 0;
 };
 
 /// Returns the window that the tests share.
