@@ -37,7 +37,7 @@ EditRecord Simulation::apply(const Edit& edit) {
   record.edit = std::visit([&](const auto& kind) -> Edit { return make(kind, record); }, edit);
   record.revision = sheet_.revision();
   resting_ = false;
-  edited_ = true;
+  edited_ = !std::holds_alternative<SettleEdit>(edit);  // which leaves it in equilibrium
   return record;
 }
 
