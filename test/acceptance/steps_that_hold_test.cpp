@@ -230,7 +230,7 @@ TEST(InelasticPaper, PressedTogetherAndLetGoItKeepsABend) {
   // Inelastic paper without hardening keeps what exceeds its yield curvature.
   const Pressed pressed = pressTogether(30);
   EXPECT_GT(pressed.beyond, 90);
-  EXPECT_NEAR(pressed.opening, pressed.beyond, 5);
+  EXPECT_NEAR(pressed.opening, pressed.beyond, 1);
 }
 
 }  // namespace
