@@ -243,7 +243,7 @@ class Simulation {
   Counters counters_;
   double time_ = 0;
   bool resting_ = false;
-  bool edited_ = false;  ///< since the last step
+  bool edited_ = false;                 ///< since the last step
   std::vector<TrianglePair> left_out_;  ///< of contact, ascending: what crossed when that began
   std::function<bool()> interrupt_;
 };

@@ -48,7 +48,7 @@ struct Snapshot {
   Counters counters;
   double time = 0;  ///< [s]
   bool resting = false;
-  bool edited = false;  ///< since the last step
+  bool edited = false;                 ///< since the last step
   std::vector<TrianglePair> left_out;  ///< of contact, ascending
 };
 
