@@ -216,8 +216,7 @@ void defineEdits(py::class_<Simulation>& paper) {
             .vertices;
       },
       "Holds vertices where they are: by number, or nearest to flat points [m]. With a frame, "
-      "which "
-      "is at a pose now, they follow it: see carry(). Returns them.",
+      "which is at a pose now, they follow it: see carry(). Returns them.",
       py::arg("vertices") = std::vector<std::int64_t>(), py::arg("points") = std::vector<Vector2>(),
       py::arg("frame") = "", py::arg("position") = Triple{0, 0, 0},
       py::arg("orientation") = kUnturned);
@@ -297,8 +296,7 @@ void defineObstacles(py::class_<Simulation>& paper) {
       },
       "Holds vertices softly where they are: by springs of a stiffness [N/m] up to a force [N], of "
       "all of them together; beyond it they slip, and farther than `reach` [m] they are lost. With "
-      "a "
-      "frame, which is at a pose now, they follow it: see carry().",
+      "a frame, which is at a pose now, they follow it: see carry().",
       py::arg("id"), py::arg("vertices") = std::vector<std::int64_t>(),
       py::arg("points") = std::vector<Vector2>(), py::arg("stiffness") = Firmness().stiffness,
       py::arg("max_force") = Firmness().max_force, py::arg("reach") = Firmness().reach,

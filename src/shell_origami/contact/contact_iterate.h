@@ -1,5 +1,6 @@
 /// \file
-/// What a ContactPotential keeps of one configuration, for its own sources.
+/// The state that a ContactPotential stores for one configuration. Only its own sources include
+/// this.
 #pragma once
 
 #include <shell_origami/contact/contact_potential.h>

@@ -79,7 +79,7 @@ bool Grasps::arrive(const Positions& positions) {
       if ((vertex.place - vertex.grasped).norm() <= grasp.firmness.reach) held[v] = vertex;
       else lost = true;
     }
-    // What is left holds as firmly, each vertex more.
+    // The stiffness and the force of the grasp are shared by the vertices that it still holds.
     grasp.vertices = std::move(held);
   }
   return lost;

@@ -14,8 +14,8 @@ struct PleatFold {
   std::array<Landmark, 2> back;  ///< two points of the line along which it is folded back
 };
 
-/// What the fold brings lies beyond both lines, and turns by nothing in the end: both folds run
-/// together. \throws std::invalid_argument with one sentence that says why the paper cannot be
+/// Plans a pleat. Both folds run together; the paper beyond both lines ends parallel to where it
+/// was. \throws std::invalid_argument with one sentence that says why the paper cannot be
 /// folded so
 ManoeuvrePlan planPleatFold(const PleatFold& pleat, const ManoeuvreManner& manner,
                             const Viewpoint& view, const Simulation& simulation);

@@ -49,7 +49,7 @@ struct Blocked {
   int by;  ///< vertex of the paper in the way
 };
 
-/// What a frame carries: held vertices, grasps and obstacles.
+/// A frame with the held vertices, grasps and obstacles that it carries.
 struct CarriedFrame {
   Pose pose;                    ///< where it carried them last
   Pose next;                    ///< where it carries them within the next step that converges
@@ -142,8 +142,8 @@ class Simulation {
 
   std::vector<CreaseStatus> creases() const;  ///< in the order of sheet().creases()
   Energies energies() const;
-  /// What holds the paper, by its frame: force and torque on the vertices it holds, in the frame
-  /// and about its origin. Under no name, in the world: of vertices held in place.
+  /// Force and torque of each frame on the vertices that it holds, in the frame and about its
+  /// origin, by the frame's name. Under the empty name, in the world: on vertices held in place.
   std::map<std::string, Wrench> holdingWrenches() const;
   /// Largest |edge length / rest length - 1|: the rest length is the flat one, but where folding
   /// has stretched the paper for good.
