@@ -1,0 +1,116 @@
+#include <shell_origami/base/parallel.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+namespace shell_origami {
+namespace {
+
+/// The sum of square roots, chunk by chunk.
+double sumOfRoots(std::size_t count) {
+  constexpr std::size_t kChunk = 7;
+  std::vector<double> sums(chunkCount(count, kChunk), 0.);
+  forEachChunk(count, kChunk, [&](const Chunk& chunk) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) sums[chunk.index] += std::sqrt(i);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.);
+}
+
+TEST(Parallel, ChunksCoverTheRangeOnce) {
+  for (const int count : {1, 2, 3}) {
+    Threads threads(count);
+    for (const std::size_t size : {0, 1, 6, 7, 8, 1000}) {
+      std::vector<int> calls(size, 0);
+      threads.run([&] {
+        forEachChunk(size, 7, [&](const Chunk& chunk) {
+          EXPECT_EQ(chunk.begin, 7 * chunk.index);
+          EXPECT_LE(chunk.end, size);
+          for (std::size_t i = chunk.begin; i < chunk.end; ++i) ++calls[i];
+        });
+      });
+      EXPECT_EQ(calls, std::vector<int>(size, 1)) << size << " in " << count << " threads";
+    }
+  }
+}
+
+TEST(Parallel, SumsAreTheSameWithAnyNumberOfThreads) {
+  const double outside = sumOfRoots(10000);
+  for (const int count : {1, 2, 3}) {
+    double inside = 0;
+    Threads(count).run([&] { inside = sumOfRoots(10000); });
+    EXPECT_EQ(inside, outside) << count;
+  }
+}
+
+/// Two functions, each of which waits for the other: they end only in two threads.
+void meet() {
+  std::atomic<int> arrived{0};
+  const auto wait = [&] {
+    ++arrived;
+    while (arrived < 2) std::this_thread::yield();
+  };
+  parallelInvoke(wait, wait);
+}
+
+TEST(Parallel, TwoFunctionsRunAtTheSameTime) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "no second core for a worker";
+  Threads threads(2);
+  threads.run(meet);
+}
+
+TEST(Parallel, ParallelWorkInAWorkerIsParallelToo) {
+  std::atomic<int> calls{0};
+  const auto nested = [&] { forEachChunk(100, 1, [&](const Chunk&) { ++calls; }); };
+  Threads(2).run([&] { parallelInvoke(nested, nested); });
+  EXPECT_EQ(calls, 200);
+}
+
+TEST(Parallel, OneThreadIsTheCallingOne) {
+  const auto here = std::this_thread::get_id();
+  const auto check = [&] {
+    std::set<std::size_t> order;
+    forEachChunk(100, 3, [&](const Chunk& chunk) {
+      EXPECT_EQ(std::this_thread::get_id(), here);
+      EXPECT_EQ(chunk.index, order.size());
+      order.insert(chunk.index);
+    });
+    int calls = 0;
+    parallelInvoke([&] { EXPECT_EQ(calls++, 0); }, [&] { EXPECT_EQ(calls++, 1); });
+  };
+  check();
+  Threads(1).run(check);
+  Threads(2).run([&] { Threads(1).run(check); });
+}
+
+TEST(Parallel, ExceptionsPropagate) {
+  for (const int count : {1, 2}) {
+    Threads threads(count);
+    EXPECT_THROW(threads.run([] {
+      forEachChunk(100, 1, [](const Chunk& chunk) {
+        if (chunk.index == 50) throw std::runtime_error("the fifty-first");
+      });
+    }),
+                 std::runtime_error);
+    EXPECT_THROW(
+        threads.run([] { parallelInvoke([] {}, [] { throw std::runtime_error("the second"); }); }),
+        std::runtime_error);
+    double sum = 0;
+    threads.run([&] { sum = sumOfRoots(100); });
+    EXPECT_EQ(sum, sumOfRoots(100)) << "works again";
+  }
+}
+
+TEST(Parallel, RejectsNoThreads) {
+  EXPECT_THROW(Threads(0), std::invalid_argument);
+  EXPECT_THROW(Threads(-1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace shell_origami
