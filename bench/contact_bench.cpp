@@ -42,10 +42,11 @@ class Closeness {
 };
 
 /// Without contact as well: what it costs.
-void touch(benchmark::State& state, const std::string& scene, bool contact) {
+void touch(benchmark::State& state, const std::string& scene, bool contact, int threads) {
   for (auto _ : state) {
     Recipe recipe = touching(scene, static_cast<double>(state.range(0)));
     recipe.config.contact.enabled = contact;
+    recipe.config.solver.threads = threads;
     Run run(recipe);
     Closeness closeness;
     std::vector<double> iterations, factorizations;
@@ -67,14 +68,18 @@ void touch(benchmark::State& state, const std::string& scene, bool contact) {
 }
 
 void enlist(const std::string& name, const std::string& scene) {
-  for (const bool contact : {true, false}) {
-    benchmark::RegisterBenchmark((contact ? name : name + "_without").c_str(),
-                                 [=](benchmark::State& state) { touch(state, scene, contact); })
+  const auto add = [&](const std::string& variant, bool contact, int threads) {
+    benchmark::RegisterBenchmark(
+        (name + variant).c_str(),
+        [=](benchmark::State& state) { touch(state, scene, contact, threads); })
         ->Arg(500)
         ->Arg(2000)
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
-  }
+  };
+  add("", true, 1);
+  add("_two_threads", true, 2);
+  add("_without", false, 1);
 }
 
 [[maybe_unused]] const bool registered = [] {

@@ -44,6 +44,17 @@ void foldBack(benchmark::State& state) {
 }
 
 void foldDog(benchmark::State& state) { fold(state, dog(static_cast<double>(state.range(0)))); }
+
+Recipe inTwoThreads(Recipe recipe) {
+  recipe.config.solver.threads = 2;
+  return recipe;
+}
+void foldDogInTwoThreads(benchmark::State& state) {
+  fold(state, inTwoThreads(dog(static_cast<double>(state.range(0)))));
+}
+void foldBackInTwoThreads(benchmark::State& state) {
+  fold(state, inTwoThreads(firstFold(static_cast<double>(state.range(0)))));
+}
 void hang(benchmark::State& state) { fold(state, cantilever(static_cast<double>(state.range(0)))); }
 void foldMiura(benchmark::State& state) { fold(state, miura1000()); }
 
@@ -59,7 +70,16 @@ void once(benchmark::internal::Benchmark* benchmark) {
         ->Arg(10000)
         ->Arg(50000)
         ->Apply(once),
+    benchmark::RegisterBenchmark("first_fold_two_threads", foldBackInTwoThreads)
+        ->Arg(2000)
+        ->Arg(10000)
+        ->Arg(50000)
+        ->Apply(once),
     benchmark::RegisterBenchmark("dog", foldDog)->Arg(300)->Arg(2000)->Arg(10000)->Apply(once),
+    benchmark::RegisterBenchmark("dog_two_threads", foldDogInTwoThreads)
+        ->Arg(2000)
+        ->Arg(10000)
+        ->Apply(once),
     benchmark::RegisterBenchmark("cantilever", hang)->Arg(2000)->Apply(once),
     benchmark::RegisterBenchmark("miura_1000", foldMiura)->Apply(once)};
 

@@ -49,6 +49,29 @@ TEST(Parallel, SumsAreTheSameWithAnyNumberOfThreads) {
   }
 }
 
+TEST(Parallel, GatheredValuesAreInOrder) {
+  for (const int count : {1, 2, 3}) {
+    std::vector<std::size_t> odd{1000};
+    Threads(count).run([&] {
+      gatherChunks(100, 7, odd, [](const Chunk& chunk, std::vector<std::size_t>& out) {
+        for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+          if (i % 2 == 1) out.push_back(i);
+        }
+      });
+    });
+    ASSERT_EQ(odd.size(), 51u) << "what was there stays";
+    for (std::size_t i = 0; i < 50; ++i) EXPECT_EQ(odd[i + 1], 2 * i + 1);
+  }
+}
+
+TEST(Parallel, RunReturnsWhatTheFunctionReturns) {
+  EXPECT_EQ(Threads(1).run([] { return threadCount(); }), 1);
+  if (std::thread::hardware_concurrency() > 1) {
+    EXPECT_EQ(Threads(2).run([] { return threadCount(); }), 2);
+  }
+  EXPECT_EQ(threadCount(), 1);
+}
+
 /// Two functions, each of which waits for the other: they end only in two threads.
 void meet() {
   std::atomic<int> arrived{0};
@@ -107,8 +130,12 @@ TEST(Parallel, ExceptionsPropagate) {
   }
 }
 
-TEST(Parallel, RejectsNoThreads) {
-  EXPECT_THROW(Threads(0), std::invalid_argument);
+TEST(Parallel, ZeroThreadsAreAllCores) {
+  EXPECT_GE(Threads(0).count(), 1);
+  EXPECT_EQ(Threads(0).count(), Threads(1000).count());
+}
+
+TEST(Parallel, RejectsANegativeNumberOfThreads) {
   EXPECT_THROW(Threads(-1), std::invalid_argument);
 }
 

@@ -40,6 +40,8 @@ REFUSALS = [
     ('solver/tolerance', -1e-3, ['solver/tolerance', '-0.001', '> 0 and finite']),
     ('solver/max_iterations', 2.5, ['solver/max_iterations', '2.5', 'integer']),
     ('solver/max_iterations', 0, ['solver/max_iterations', '0']),
+    ('solver/threads', -1, ['solver/threads', '-1', 'from 0 to 1024']),
+    ('solver/threads', 1.5, ['solver/threads', '1.5', 'integer']),
     ('fold_duration', -1, ['fold_duration', '-1']),
     ('publish_rate', 0, ['publish_rate', '0']),
     ('world_frame', '', ['world_frame']),

@@ -152,6 +152,7 @@ TEST(Simulation, RefusesAConfigThatMakesNoSense) {
   refuses([](auto& c) { c.solver.time_step = 0; });
   refuses([](auto& c) { c.solver.gamma = 0.4; });
   refuses([](auto& c) { c.solver.max_iterations = 0; });
+  refuses([](auto& c) { c.solver.threads = -1; });
   refuses([](auto& c) { c.gravity.x() = HUGE_VAL; });
   refuses([](auto& c) { c.fold_duration = -1; });
 }

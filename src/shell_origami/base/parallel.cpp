@@ -34,11 +34,11 @@ struct Threads::Arena {
   tbb::task_arena arena;
 };
 
-Threads::Threads(int count) : count_(count) {
-  if (count < 1) reject("the number of threads must be at least 1, not ", count);
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  const int used = std::min(count, cores);  // TBB warns of each arena with more
-  if (used > 1) arena_ = std::make_unique<Arena>(used);
+Threads::Threads(int count) {
+  if (count < 0) reject("the number of threads must be at least 0, not ", count);
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  count_ = count == 0 ? cores : std::min(count, cores);  // TBB warns of each arena with more
+  if (count_ > 1) arena_ = std::make_unique<Arena>(count_);
 }
 
 Threads::~Threads() = default;
@@ -56,6 +56,8 @@ void Threads::enter(const std::function<void()>& function) {
     function();
   });
 }
+
+int threadCount() { return in_arena ? tbb::this_task_arena::max_concurrency() : 1; }
 
 void parallel_detail::forEachChunk(std::size_t count, std::size_t size,
                                    const std::function<void(const Chunk&)>& function) {

@@ -5,9 +5,14 @@
 /// are joined in the order of the parts. Rounding then is the same with any number of threads.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace shell_origami {
 
@@ -16,7 +21,8 @@ namespace shell_origami {
 /// workers.
 class Threads {
  public:
-  /// \throws std::invalid_argument if count is less than 1
+  /// \param count 0: one for each core
+  /// \throws std::invalid_argument if it is negative
   explicit Threads(int count);
   ~Threads();
   Threads(Threads&&) noexcept;
@@ -24,18 +30,25 @@ class Threads {
 
   int count() const { return count_; }
 
-  /// Calls the function. What it does in parallel uses at most count() threads. May be nested; the
-  /// innermost call decides. Throws what the function throws.
+  /// Calls the function and returns what it returns. What it does in parallel uses at most count()
+  /// threads. May be nested; the innermost call decides. Throws what the function throws.
   template <class Function>
-  void run(const Function& function) {
-    enter(std::cref(function));
+  auto run(const Function& function) {
+    using Result = std::invoke_result_t<const Function&>;
+    if constexpr (std::is_void_v<Result>) {
+      enter(std::cref(function));
+    } else {
+      std::optional<Result> result;
+      enter([&] { result.emplace(function()); });
+      return std::move(*result);
+    }
   }
 
  private:
   struct Arena;
   void enter(const std::function<void()>& function);
 
-  int count_;
+  int count_ = 1;
   std::unique_ptr<Arena> arena_;
 };
 
@@ -43,12 +56,17 @@ class Threads {
 struct Chunk {
   std::size_t index;  ///< of the chunk
   std::size_t begin, end;
+
+  bool contains(std::size_t i) const { return begin <= i && i < end; }
 };
 
 /// Returns the number of chunks of `size` that make up a range; the last one may be smaller.
 inline std::size_t chunkCount(std::size_t count, std::size_t size) {
   return (count + size - 1) / size;
 }
+
+/// Returns how many threads share the parallel work that is begun here: 1 outside Threads::run.
+int threadCount();
 
 namespace parallel_detail {
 void forEachChunk(std::size_t count, std::size_t size,
@@ -62,6 +80,29 @@ void invoke(const std::function<void()>& first, const std::function<void()>& sec
 template <class Function>
 void forEachChunk(std::size_t count, std::size_t size, const Function& function) {
   parallel_detail::forEachChunk(count, size, std::cref(function));
+}
+
+/// Calls function(const Chunk&) for parts that make up [0, count), at the same time inside
+/// Threads::run. How many there are depends on the number of threads, and what the calls compute
+/// must not depend on it.
+template <class Function>
+void forEachPart(std::size_t count, const Function& function) {
+  const std::size_t parts = threadCount();
+  forEachChunk(count, std::max<std::size_t>(1, chunkCount(count, parts)), function);
+}
+
+/// Calls function(const Chunk&, std::vector<Value>& out) for the chunks of [0, count), as
+/// forEachChunk() does, and appends to `all` what each appended to its `out`, in the chunks' order.
+template <class Value, class Function>
+void gatherChunks(std::size_t count, std::size_t size, std::vector<Value>& all,
+                  const Function& function) {
+  if (threadCount() == 1) {
+    forEachChunk(count, size, [&](const Chunk& chunk) { function(chunk, all); });
+    return;
+  }
+  std::vector<std::vector<Value>> parts(chunkCount(count, size));
+  forEachChunk(count, size, [&](const Chunk& chunk) { function(chunk, parts[chunk.index]); });
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
 }
 
 /// Calls both functions, at the same time inside Threads::run, first the first otherwise. Throws

@@ -47,6 +47,13 @@ void BoundingTree::divide(const std::vector<Vector3>& centers, std::vector<int>:
   divide(centers, middle, end);
 }
 
+std::vector<BoundingTree::NodePair> BoundingTree::roots() const {
+  if (body_roots_.empty()) return {{0, 0}};
+  std::vector<NodePair> pairs;
+  for (int root : body_roots_) pairs.push_back({0, root});
+  return pairs;
+}
+
 std::vector<MovingBox> BoundingTree::boxesOfNodes(const std::vector<MovingBox>& faces) const {
   std::vector<MovingBox> boxes(nodes_.size());
   for (int i = static_cast<int>(nodes_.size()) - 1; i >= 0; --i) {

@@ -2,6 +2,7 @@
 /// Which faces may come near each other: trees of boxes over the flat sheet and over bodies.
 #pragma once
 
+#include <shell_origami/base/parallel.h>
 #include <shell_origami/contact/collision_mesh.h>
 
 #include <Eigen/Geometry>
@@ -41,15 +42,21 @@ class BoundingTree {
  public:
   explicit BoundingTree(const CollisionMesh& mesh);
 
-  /// Calls found(f, g) for every two faces whose boxes meet, each pair once, in an order that
-  /// depends on the tree alone: of the sheet, or, where there are bodies, of the sheet and a body.
-  /// `faces` has the box of each face.
-  template <class Meet, class Found>
-  void forEachPair(const std::vector<MovingBox>& faces, Meet&& meet, Found&& found) const {
+  /// Appends to `all` what found(f, g, out) appends to its `out` for every two faces whose boxes
+  /// meet: each pair once, of the sheet, or, where there are bodies, of the sheet and a body. The
+  /// order of the calls' values depends on the tree alone. `faces` has the box of each face.
+  template <class Value, class Meet, class Found>
+  void gatherPairs(const std::vector<MovingBox>& faces, std::vector<Value>& all, const Meet& meet,
+                   const Found& found) const {
     if (nodes_.empty()) return;
     const std::vector<MovingBox> boxes = boxesOfNodes(faces);
-    if (body_roots_.empty()) within(boxes, 0, meet, found);
-    for (int root : body_roots_) between(boxes, 0, root, meet, found);
+    std::vector<NodePair> pairs = roots();
+    for (int round = 0; round < kRounds && pairs.size() < kEnoughPairs; ++round) {
+      pairs = divided(pairs, [&](const NodePair& pair) { return near(boxes, pair, meet); });
+    }
+    gatherChunks(pairs.size(), 1, all, [&](const Chunk& chunk, std::vector<Value>& out) {
+      descend(boxes, pairs[chunk.index], meet, [&](int f, int g) { found(f, g, out); });
+    });
   }
 
  private:
@@ -59,33 +66,72 @@ class BoundingTree {
     int face = -1;
   };
 
+  /// The faces below one node and those below another, or the same, to be compared with each
+  /// other.
+  struct NodePair {
+    int a, b;
+  };
+  /// What threads share: pairs of nodes, divided so often or until there are enough.
+  static constexpr int kRounds = 12;
+  static constexpr std::size_t kEnoughPairs = 200;
+
+  std::vector<NodePair> roots() const;
+
   void divide(const std::vector<Vector3>& centers, std::vector<int>::iterator begin,
               std::vector<int>::iterator end);
   std::vector<MovingBox> boxesOfNodes(const std::vector<MovingBox>& faces) const;
-  template <class Meet, class Found>
-  void within(const std::vector<MovingBox>& boxes, int node, Meet& meet, Found& found) const {
-    if (nodes_[node].second < 0) return;
-    within(boxes, node + 1, meet, found);
-    within(boxes, nodes_[node].second, meet, found);
-    between(boxes, node + 1, nodes_[node].second, meet, found);
+  template <class Meet>
+  static bool near(const std::vector<MovingBox>& boxes, const NodePair& pair, const Meet& meet) {
+    return pair.a == pair.b || meet(boxes[pair.a], boxes[pair.b]);
   }
-  template <class Meet, class Found>
-  void between(const std::vector<MovingBox>& boxes, int a, int b, Meet& meet, Found& found) const {
-    if (!meet(boxes[a], boxes[b])) return;
-    const bool leaf_a = nodes_[a].second < 0, leaf_b = nodes_[b].second < 0;
-    if (leaf_a && leaf_b) {
-      found(nodes_[a].face, nodes_[b].face);
-    } else if (leaf_a) {
-      between(boxes, a, b + 1, meet, found);
-      between(boxes, a, nodes_[b].second, meet, found);
-    } else if (leaf_b) {
-      between(boxes, a + 1, b, meet, found);
-      between(boxes, nodes_[a].second, b, meet, found);
+  bool areLeaves(const NodePair& pair) const {
+    return nodes_[pair.a].second < 0 && nodes_[pair.b].second < 0;
+  }
+
+  /// Calls visit(pair) for the pairs that one is made up of. \pre they are not leaves
+  template <class Visit>
+  void forEachBelow(const NodePair& pair, const Visit& visit) const {
+    const auto [a, b] = pair;
+    const int second_a = nodes_[a].second, second_b = nodes_[b].second;
+    if (a == b) {
+      visit(NodePair{a + 1, a + 1});
+      visit(NodePair{second_a, second_a});
+      visit(NodePair{a + 1, second_a});
+    } else if (second_a < 0) {
+      visit(NodePair{a, b + 1});
+      visit(NodePair{a, second_b});
+    } else if (second_b < 0) {
+      visit(NodePair{a + 1, b});
+      visit(NodePair{second_a, b});
     } else {
-      for (int child : {a + 1, nodes_[a].second}) {
-        between(boxes, child, b + 1, meet, found);
-        between(boxes, child, nodes_[b].second, meet, found);
+      for (int child : {a + 1, second_a}) {
+        visit(NodePair{child, b + 1});
+        visit(NodePair{child, second_b});
       }
+    }
+  }
+
+  /// Returns the pairs that these are made up of, leaves as they are, without those that are not
+  /// near.
+  template <class Near>
+  std::vector<NodePair> divided(const std::vector<NodePair>& pairs, const Near& is_near) const {
+    std::vector<NodePair> below;
+    for (const NodePair& pair : pairs) {
+      if (!is_near(pair)) continue;
+      if (areLeaves(pair)) below.push_back(pair);
+      else forEachBelow(pair, [&](const NodePair& part) { below.push_back(part); });
+    }
+    return below;
+  }
+
+  template <class Meet, class Found>
+  void descend(const std::vector<MovingBox>& boxes, const NodePair& pair, const Meet& meet,
+               const Found& found) const {
+    if (!near(boxes, pair, meet)) return;
+    if (!areLeaves(pair)) {
+      forEachBelow(pair, [&](const NodePair& part) { descend(boxes, part, meet, found); });
+    } else if (pair.a != pair.b) {  // a face is not compared with itself
+      found(nodes_[pair.a].face, nodes_[pair.b].face);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace shell_origami {
@@ -31,20 +32,24 @@ Candidates::Candidates(const CollisionMesh& mesh, const BoundingTree& tree, cons
                        const Positions& to, double reach, double margin, std::size_t most)
     : reach_(reach),
       margin_(margin),
-      most_(most),
       turn_(frameOfLayers(mesh, from)),
       places_(turn_.lazyProduct(from.leftCols(mesh.vertexCount()))),
       ways_(turn_.lazyProduct(to.leftCols(mesh.vertexCount())) - places_) {
   std::vector<MovingBox> faces;
   faces.reserve(mesh.faces().size());
   for (const CollisionMesh::Face& face : mesh.faces()) faces.push_back(boxOf(face.vertices));
-  tree.forEachPair(
-      faces, [this](const MovingBox& a, const MovingBox& b) { return meet(a, b); },
-      [&](int f, int g) {
-        if (mesh.leftOut(f, g)) return;
-        addPairs(mesh, faces, f, g);
-        addPairs(mesh, faces, g, f);
+  std::atomic<std::size_t> count{0};
+  tree.gatherPairs(
+      faces, pairs_, [this](const MovingBox& a, const MovingBox& b) { return meet(a, b); },
+      [&](int f, int g, std::vector<ContactPair>& pairs) {
+        if (mesh.leftOut(f, g) || count > most) return;
+        const std::size_t before = pairs.size();
+        addPairs(mesh, faces, f, g, pairs);
+        addPairs(mesh, faces, g, f, pairs);
+        if (pairs.size() > before) count += pairs.size() - before;
       });
+  complete_ = count <= most;
+  if (!complete_) pairs_.clear();
 }
 
 MovingBox Candidates::boxOf(const std::array<int, 2>& edge) const {
@@ -62,13 +67,13 @@ MovingBox Candidates::boxOf(const Triangle& face) const {
 
 /// Adds the pairs of what f owns with g, and of its edges with those of g (once: f before g).
 void Candidates::addPairs(const CollisionMesh& mesh, const std::vector<MovingBox>& faces, int f,
-                          int g) {
+                          int g, std::vector<ContactPair>& pairs) const {
   const CollisionMesh::Face &own = mesh.faces()[f], &other = mesh.faces()[g];
   const auto& [a, b, c] = other.vertices;
   const TrianglePair pair{std::min(f, g), std::max(f, g)};
   for (int v : own.owned_vertices) {
     if (v < 0 || !meet(boxOf(v), faces[g]) || mesh.incident(v, g)) continue;
-    add(mesh, PairKind::kVertexFace, {v, a, b, c}, pair);
+    add(mesh, PairKind::kVertexFace, {v, a, b, c}, pair, pairs);
   }
   if (f > g) return;
   for (int e : own.owned_edges) {
@@ -79,18 +84,17 @@ void Candidates::addPairs(const CollisionMesh& mesh, const std::vector<MovingBox
       if (h < 0 || mesh.incidentEdges(e, h) || !meet(edge_box, boxOf(mesh.edges()[h]))) continue;
       const auto [a0, a1] = mesh.edges()[e];
       const auto [b0, b1] = mesh.edges()[h];
-      add(mesh, PairKind::kEdgeEdge, {a0, a1, b0, b1}, pair);
+      add(mesh, PairKind::kEdgeEdge, {a0, a1, b0, b1}, pair, pairs);
     }
   }
 }
 
 void Candidates::add(const CollisionMesh& mesh, PairKind kind, const std::array<int, 4>& vertices,
-                     const TrianglePair& faces) {
+                     const TrianglePair& faces, std::vector<ContactPair>& pairs) const {
   const double reach = kReachPerDistance * mesh.flatDistance(kind, vertices);
   // The sides of a slit coincide.
   if (reach == 0) return;
-  complete_ = pairs_.size() < most_;
-  if (complete_) pairs_.push_back({kind, vertices, std::min(reach, reach_), faces});
+  pairs.push_back({kind, vertices, std::min(reach, reach_), faces});
 }
 
 /// There is one part of the way from which each coordinate differs by the margin at most.

@@ -33,7 +33,7 @@ class Candidates {
  public:
   /// \param reach of pairs far from each other on the sheet, d^ [m]
   /// \param margin around each vertex [m]
-  /// \param most number of pairs that are looked for
+  /// \param most number of pairs
   Candidates(const CollisionMesh& mesh, const BoundingTree& tree, const Positions& from,
              const Positions& to, double reach, double margin,
              std::size_t most = std::numeric_limits<std::size_t>::max());
@@ -43,7 +43,7 @@ class Candidates {
 
   /// Whether x is in the room.
   bool cover(const Positions& x) const;
-  /// False where there are so many that the rest was left out: paper that flies apart.
+  /// False, and there are no pairs, where these would be too many: paper that flies apart.
   bool complete() const { return complete_; }
   /// Always in the same order, whatever the room.
   const std::vector<ContactPair>& pairs() const { return pairs_; }
@@ -58,12 +58,12 @@ class Candidates {
   }
   MovingBox boxOf(const std::array<int, 2>& edge) const;
   MovingBox boxOf(const Triangle& face) const;
-  void addPairs(const CollisionMesh& mesh, const std::vector<MovingBox>& faces, int f, int g);
+  void addPairs(const CollisionMesh& mesh, const std::vector<MovingBox>& faces, int f, int g,
+                std::vector<ContactPair>& pairs) const;
   void add(const CollisionMesh& mesh, PairKind kind, const std::array<int, 4>& vertices,
-           const TrianglePair& faces);
+           const TrianglePair& faces, std::vector<ContactPair>& pairs) const;
 
   double reach_, margin_;
-  std::size_t most_;
   bool complete_ = true;
   Eigen::Matrix3d turn_;     ///< into the frame of the boxes
   Positions places_, ways_;  ///< of vertices, in that frame

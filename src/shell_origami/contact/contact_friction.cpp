@@ -1,3 +1,4 @@
+#include <shell_origami/base/parallel.h>
 #include <shell_origami/contact/contact_iterate.h>
 
 namespace shell_origami {
@@ -8,14 +9,17 @@ std::shared_ptr<const ContactPotential::Friction> ContactPotential::frictionFrom
   auto friction = std::make_shared<Friction>();
   friction->start = at.x;
   if (friction_ == 0) return friction;
-  for (const Contact& contact : at.contacts) {
-    const double force = -forceOf(contact);
-    // Edges that are nearly parallel have no common normal.
-    const double coefficient = frictionOf(contact.pair);
-    if (force <= 0 || coefficient == 0 || contact.mollifier.value < 1) continue;
-    friction->pairs.push_back(frictionPair(contact.pair, contact.closest,
-                                           pointsOf(contact.pair, at.x), coefficient * force));
-  }
+  gatherChunks(at.contacts.size(), 64, friction->pairs, [&](const Chunk& chunk, auto& pairs) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const Contact& contact = at.contacts[i];
+      const double force = -forceOf(contact);
+      // Edges that are nearly parallel have no common normal.
+      const double coefficient = frictionOf(contact.pair);
+      if (force <= 0 || coefficient == 0 || contact.mollifier.value < 1) continue;
+      pairs.push_back(frictionPair(contact.pair, contact.closest, pointsOf(contact.pair, at.x),
+                                   coefficient * force));
+    }
+  });
   return friction;
 }
 
@@ -34,6 +38,7 @@ void ContactPotential::addFriction(const Positions& x, const Friction& friction,
 void ContactPotential::addFrictionHessian(const Positions& x, const Friction& friction, int first,
                                           HessianBlocks& blocks) const {
   for (std::size_t i = 0; i < friction.pairs.size(); ++i) {
+    if (!blocks.reach(first + static_cast<int>(i))) continue;
     const FrictionPair& pair = friction.pairs[i];
     const Eigen::Matrix3d across =
         pair.bound * slipHessian(slip(pair, friction.start, x), pair.normal, sticking_);

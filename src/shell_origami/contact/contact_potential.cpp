@@ -1,10 +1,12 @@
 #include <shell_origami/contact/contact_potential.h>
 
+#include <shell_origami/base/parallel.h>
 #include <shell_origami/contact/contact_iterate.h>
 #include <shell_origami/contact/guard.h>
 #include <shell_origami/contact/start_filter.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,6 +21,8 @@ constexpr double kMargin = 0.1;
 /// that flies apart, in which everything could meet everything. A stack of 16 layers has 50 a
 /// vertex.
 constexpr std::size_t kMostPairs = 200000, kMostPairsPerVertex = 500;
+/// Pairs that one thread looks at in one go.
+constexpr std::size_t kPairsPerChunk = 512;
 /// A spring at an anticipated impact: its stiffness over that of contact, and where it ends, in
 /// reaches.
 constexpr double kImpactStiffness = 3, kImpactGap = 0.7;
@@ -93,28 +97,30 @@ bool ContactPotential::cover(ContactIterate& at, const Positions& to) const {
 
 /// Computes the distances of all candidates, and the contacts.
 void ContactPotential::measure(ContactIterate& at) const {
-  at.gaps.clear();
+  const std::vector<ContactPair>& pairs = at.candidates->pairs();
+  at.gaps.resize(pairs.size());
   at.contacts.clear();
   at.impacts.clear();
-  for (const ContactPair& pair : at.candidates->pairs()) {
-    const ClosestPoints closest = closestPoints(pair.kind, pointsOf(pair, at.x));
-    at.gaps.push_back(closest.distance);
-    addContact(pair, closest, at);
-  }
+  gatherChunks(pairs.size(), kPairsPerChunk, at.contacts, [&](const Chunk& chunk, auto& contacts) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const ClosestPoints closest = closestPoints(pairs[i].kind, pointsOf(pairs[i], at.x));
+      at.gaps[i] = closest.distance;
+      addContact(pairs[i], closest, at.x, contacts);
+    }
+  });
   finish(at);
 }
 
-/// Returns false where the pair is too far apart to be one.
-bool ContactPotential::addContact(const ContactPair& pair, const ClosestPoints& closest,
-                                  ContactIterate& at) const {
-  if (closest.distance >= kNear * pair.reach) return false;
+/// Adds the pair unless it is too far apart to be one.
+void ContactPotential::addContact(const ContactPair& pair, const ClosestPoints& closest,
+                                  const Positions& x, std::vector<Contact>& contacts) const {
+  if (closest.distance >= kNear * pair.reach) return;
   Contact contact{pair, closest, logBarrier(closest.distance / pair.reach), {}};
   if (pair.kind == PairKind::kEdgeEdge) {
     contact.mollifier =
-        mollifier(pointsOf(pair, at.x), kParallel * mesh_.squaredProduct(pair.vertices));
+        mollifier(pointsOf(pair, x), kParallel * mesh_.squaredProduct(pair.vertices));
   }
-  at.contacts.push_back(contact);
-  return true;
+  contacts.push_back(contact);
 }
 
 void ContactPotential::finish(ContactIterate& at) const {
@@ -159,18 +165,26 @@ double ContactPotential::value(const Positions& x, const Iterate& from, Iterate&
   own.impacts.clear();
   const std::vector<ContactPair>& pairs = own.candidates->pairs();
   own.gaps.resize(pairs.size());
+  std::atomic<bool> free{true};
+  gatherChunks(pairs.size(), kPairsPerChunk, own.contacts, [&](const Chunk& chunk, auto& contacts) {
+    for (std::size_t i = chunk.begin; i < chunk.end && free; ++i) {
+      const ContactPair& pair = pairs[i];
+      const double before =
+          covered ? source.gaps[i] : closestPoints(pair.kind, pointsOf(pair, source.x)).distance;
+      own.gaps[i] = before - approach(pair, source.x, x);
+      if (own.gaps[i] >= kNear * pair.reach) continue;
+      if (!isFree(pair, source.x, x)) {
+        free = false;
+        return;
+      }
+      const ClosestPoints closest = closestPoints(pair.kind, pointsOf(pair, x));
+      own.gaps[i] = closest.distance;
+      addContact(pair, closest, x, contacts);
+    }
+  });
+  if (!free) return std::numeric_limits<double>::infinity();
   double sum = 0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const ContactPair& pair = pairs[i];
-    const double before =
-        covered ? source.gaps[i] : closestPoints(pair.kind, pointsOf(pair, source.x)).distance;
-    own.gaps[i] = before - approach(pair, source.x, x);
-    if (own.gaps[i] >= kNear * pair.reach) continue;
-    if (!isFree(pair, source.x, x)) return std::numeric_limits<double>::infinity();
-    const ClosestPoints closest = closestPoints(pair.kind, pointsOf(pair, x));
-    own.gaps[i] = closest.distance;
-    if (addContact(pair, closest, own)) sum += energyOf(own.contacts.back());
-  }
+  for (const Contact& contact : own.contacts) sum += energyOf(contact);
   own.friction = source.friction;
   for (const FrictionPair& pair : own.friction->pairs) {
     sum += pair.bound * smoothSlip(slip(pair, own.friction->start, x).norm(), sticking_).value;
@@ -236,13 +250,16 @@ const Stencils& ContactPotential::stencils(const Iterate& at) const { return of(
 
 void ContactPotential::addHessian(const Positions& x, const Iterate& at, HessianKind kind,
                                   HessianBlocks& blocks) const {
-  const std::vector<Contact>& contacts = of(at).contacts;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Contact& contact = contacts[i];
-    if (contact.barrier.value == 0) continue;
+  blocks.inParts([&](HessianBlocks& part) { addHessianPart(x, of(at), kind, part); });
+}
+
+void ContactPotential::addHessianPart(const Positions& x, const ContactIterate& at,
+                                      HessianKind kind, HessianBlocks& blocks) const {
+  int stencil = -1;
+  for (const Contact& contact : at.contacts) {
+    if (!blocks.reach(++stencil) || contact.barrier.value == 0) continue;
     const double stiffness = stiffnessOf(contact.pair) * contact.mollifier.value;
     const Eigen::Matrix<double, 12, 1> gradient = distanceGradient(contact.closest);
-    const int stencil = static_cast<int>(i);
     if (kind == HessianKind::kConvex || contact.mollifier.value < 1) {
       blocks.addRankOne(stencil, stiffness * contact.barrier.second, gradient);
       continue;
@@ -253,14 +270,12 @@ void ContactPotential::addHessian(const Positions& x, const Iterate& at, Hessian
                             stiffness * (contact.barrier.second * gradient * gradient.transpose() +
                                          contact.pair.reach * contact.barrier.first * curvature)));
   }
-  const std::vector<Impact>& impacts = of(at).impacts;
-  for (std::size_t i = 0; i < impacts.size(); ++i) {
-    blocks.addRankOne(static_cast<int>(contacts.size() + i),
-                      kImpactStiffness * stiffnessOf(impacts[i].pair),
-                      distanceGradient(impacts[i].closest));
+  for (const Impact& impact : at.impacts) {
+    if (!blocks.reach(++stencil)) continue;
+    blocks.addRankOne(stencil, kImpactStiffness * stiffnessOf(impact.pair),
+                      distanceGradient(impact.closest));
   }
-  addFrictionHessian(x, *of(at).friction, static_cast<int>(contacts.size() + impacts.size()),
-                     blocks);
+  addFrictionHessian(x, *at.friction, stencil + 1, blocks);
 }
 
 bool ContactPotential::anticipate(const Positions& x, Iterate& at, const Positions& step) const {
@@ -269,17 +284,19 @@ bool ContactPotential::anticipate(const Positions& x, Iterate& at, const Positio
   if (!cover(own, to)) return false;
   const std::vector<ContactPair>& pairs = own.candidates->pairs();
   const std::size_t before = own.impacts.size();
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const ContactPair& pair = pairs[i];
-    // Within its reach a pair pushes by itself and needs no spring.
-    if (own.gaps[i] < pair.reach) continue;
-    if (own.gaps[i] - approach(pair, x, to) >= kNear * pair.reach) continue;
-    const double part = freePart(pair, x, to);
-    if (part == 1) continue;
-    PairPoints there = pointsOf(pair, x);
-    for (int k = 0; k < 4; ++k) there[k] += part * step.col(pair.vertices[k]);
-    own.impacts.push_back({pair, closestPoints(pair.kind, there)});
-  }
+  gatherChunks(pairs.size(), kPairsPerChunk, own.impacts, [&](const Chunk& chunk, auto& impacts) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const ContactPair& pair = pairs[i];
+      // Within its reach a pair pushes by itself and needs no spring.
+      if (own.gaps[i] < pair.reach) continue;
+      if (own.gaps[i] - approach(pair, x, to) >= kNear * pair.reach) continue;
+      const double part = freePart(pair, x, to);
+      if (part == 1) continue;
+      PairPoints there = pointsOf(pair, x);
+      for (int k = 0; k < 4; ++k) there[k] += part * step.col(pair.vertices[k]);
+      impacts.push_back({pair, closestPoints(pair.kind, there)});
+    }
+  });
   if (own.impacts.size() == before) return false;
   finish(own);
   return true;
@@ -303,14 +320,39 @@ double ContactPotential::maxFeasibleStep(const Positions& x, Iterate& at,
   ContactIterate& own = of(at);
   double looked = 1;  // the part of the step whose pairs are not too many
   while (!cover(own, x + looked * step)) looked /= 4;
-  const Positions to = x + looked * step;
-  const std::vector<ContactPair>& pairs = own.candidates->pairs();
+  return looked * smallestFreePart(own, x, x + looked * step);
+}
+
+/// Returns the part of the motion from x to `to` that the pairs permit, each looked at as far as
+/// those before it do.
+double ContactPotential::smallestFreePart(const ContactIterate& at, const Positions& x,
+                                          const Positions& to) const {
+  struct Near {
+    std::size_t pair;
+    double approach;
+    double free;  // the part that it permits; -1: not looked at
+  };
+  const std::vector<ContactPair>& pairs = at.candidates->pairs();
+  const auto isNear = [&](std::size_t i, double approach, double part) {
+    return at.gaps[i] - part * approach < kNear * pairs[i].reach;
+  };
+  std::vector<Near> near;
+  std::atomic<double> permitted{1};  // by the pairs looked at so far, in whatever order
+  gatherChunks(pairs.size(), kPairsPerChunk, near, [&](const Chunk& chunk, auto& found) {
+    for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+      const double closer = approach(pairs[i], x, to);
+      if (!isNear(i, closer, 1)) continue;
+      const bool looked_at = isNear(i, closer, permitted);
+      found.push_back({i, closer, looked_at ? freePart(pairs[i], x, to) : -1});
+      if (looked_at && found.back().free < permitted) permitted = found.back().free;
+    }
+  });
   double part = 1;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (own.gaps[i] - part * approach(pairs[i], x, to) >= kNear * pairs[i].reach) continue;
-    part = std::min(part, freePart(pairs[i], x, to));
+  for (const auto& [i, closer, free] : near) {
+    if (!isNear(i, closer, part)) continue;
+    part = std::min(part, free < 0 ? freePart(pairs[i], x, to) : free);
   }
-  return looked * part;
+  return part;
 }
 
 bool ContactPotential::rough(const Iterate& at) const {

@@ -90,8 +90,12 @@ class ContactPotential : public Potential {
   std::shared_ptr<const Candidates> candidatesOf(const Positions& from, const Positions& to) const;
   bool cover(ContactIterate& at, const Positions& to) const;
   void measure(ContactIterate& at) const;
-  bool addContact(const ContactPair& pair, const ClosestPoints& closest, ContactIterate& at) const;
+  void addContact(const ContactPair& pair, const ClosestPoints& closest, const Positions& x,
+                  std::vector<Contact>& contacts) const;
   void finish(ContactIterate& at) const;
+  double smallestFreePart(const ContactIterate& at, const Positions& x, const Positions& to) const;
+  void addHessianPart(const Positions& x, const ContactIterate& at, HessianKind kind,
+                      HessianBlocks& blocks) const;
   double stiffnessOf(const ContactPair& pair) const;
   double frictionOf(const ContactPair& pair) const {
     return mesh_.hasBodies() ? mesh_.bodyFriction(pair.faces) : friction_;

@@ -38,6 +38,7 @@ struct SolverConfig {
   double gamma = 0.6;           ///< Newmark gamma; above 1/2 damps, 1/2 conserves energy
   double tolerance = 1e-4;      ///< largest Newton step of a vertex over the time step [m/s]
   int max_iterations = 30;      ///< Newton iterations before a step is retried smaller
+  int threads = 1;              ///< that share the work of a step; 0: one for each core
 };
 
 /// The cost of a step, and whether it converged.

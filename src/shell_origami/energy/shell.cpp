@@ -1,6 +1,9 @@
 #include <shell_origami/energy/shell.h>
 
+#include <shell_origami/base/parallel.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace shell_origami {
@@ -17,6 +20,22 @@ constexpr double kLargestTurn = 1;
 constexpr double kNearRest = 1e-3;
 /// A triangle squeezed below this part of its flat area has collapsed.
 constexpr double kCollapsed = 0.05;
+
+/// Triangles or hinges that one thread computes in one go.
+constexpr std::size_t kElementsPerChunk = 256;
+
+/// Adds a gradient by some vertices to the columns of those that are in the part.
+template <class Vertices, class Gradient>
+void addTo(const Chunk& part, const Vertices& vertices, const Gradient& own, Positions& gradient) {
+  for (std::size_t k = 0; k < vertices.size(); ++k) {
+    if (part.contains(vertices[k])) gradient.col(vertices[k]) += own.template segment<3>(3 * k);
+  }
+}
+
+template <class Vertices>
+bool reach(const Vertices& vertices, const Chunk& part) {
+  return std::any_of(vertices.begin(), vertices.end(), [&](int v) { return part.contains(v); });
+}
 
 double heightOn(const Vector2& a, const Vector2& b, const Vector2& apex) {
   return std::abs(doubleArea(a, b, apex)) / (b - a).norm();
@@ -148,32 +167,46 @@ double Shell::moment(int hinge, double theta, const RestState& rest) const {
 
 void Shell::foldAngles(const Positions& x, std::vector<FoldAngle>& angles) const {
   angles.resize(hinges_.size());
-  for (std::size_t j = 0; j < hinges_.size(); ++j) {
-    angles[j] = shell_origami::foldAngle(pointsOf(hinges_[j], x));
-  }
+  forEachChunk(hinges_.size(), kElementsPerChunk, [&](const Chunk& chunk) {
+    for (std::size_t j = chunk.begin; j < chunk.end; ++j) {
+      angles[j] = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+    }
+  });
 }
 
 bool Shell::addEnergy(const Positions& x, const RestState& rest,
                       const std::vector<FoldAngle>& before, std::vector<FoldAngle>& angles,
-                      double& energy) const {
-  bool feasible = true;
+                      std::vector<double>& energies, double& energy) const {
+  std::atomic<bool> feasible{true};
+  energies.resize(triangles_.size() + hinges_.size());
+  const auto sum = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) energy += energies[i];
+  };
   std::visit(
       [&](const auto& membranes) {
-        for (std::size_t i = 0; i < triangles_.size() && feasible; ++i) {
-          const TrianglePoints points = pointsOf(triangles_[i], x);
-          feasible = membranes[i].areaRatio(points) > kCollapsed;
-          energy += rest.membrane[i] * membranes[i].energy(points, rest.strains[i]);
-        }
+        forEachChunk(triangles_.size(), kElementsPerChunk, [&](const Chunk& chunk) {
+          for (std::size_t i = chunk.begin; i < chunk.end && feasible; ++i) {
+            const TrianglePoints points = pointsOf(triangles_[i], x);
+            if (!(membranes[i].areaRatio(points) > kCollapsed)) feasible = false;
+            energies[i] = rest.membrane[i] * membranes[i].energy(points, rest.strains[i]);
+          }
+        });
       },
       membranes_);
-  if (!feasible || !std::isfinite(energy)) return false;
+  if (!feasible) return false;
+  sum(0, triangles_.size());
+  if (!std::isfinite(energy)) return false;
   angles.resize(hinges_.size());
-  for (std::size_t j = 0; j < hinges_.size(); ++j) {
-    angles[j] = shell_origami::foldAngle(pointsOf(hinges_[j], x));
-    if (passedShut(angles[j], before[j]) || jumped(angles[j], before[j])) return false;
-    const double bend = hinges_[j].bend(angles[j], rest.angles[j]).value;
-    energy += rest.stiffness[j] / 2 * bend * bend;
-  }
+  forEachChunk(hinges_.size(), kElementsPerChunk, [&](const Chunk& chunk) {
+    for (std::size_t j = chunk.begin; j < chunk.end && feasible; ++j) {
+      angles[j] = shell_origami::foldAngle(pointsOf(hinges_[j], x));
+      if (passedShut(angles[j], before[j]) || jumped(angles[j], before[j])) feasible = false;
+      const double bend = hinges_[j].bend(angles[j], rest.angles[j]).value;
+      energies[triangles_.size() + j] = rest.stiffness[j] / 2 * bend * bend;
+    }
+  });
+  if (!feasible) return false;
+  sum(triangles_.size(), energies.size());
   return true;
 }
 
@@ -209,9 +242,11 @@ std::optional<Infeasibility> Shell::findJump(const std::vector<FoldAngle>& befor
 
 void Shell::angleGradients(const Positions& x, std::vector<HingeGradient>& angle_gradients) const {
   angle_gradients.resize(hinges_.size());
-  for (std::size_t j = 0; j < hinges_.size(); ++j) {
-    angle_gradients[j] = foldAngleGradient(pointsOf(hinges_[j], x));
-  }
+  forEachChunk(hinges_.size(), kElementsPerChunk, [&](const Chunk& chunk) {
+    for (std::size_t j = chunk.begin; j < chunk.end; ++j) {
+      angle_gradients[j] = foldAngleGradient(pointsOf(hinges_[j], x));
+    }
+  });
 }
 
 void Shell::strains(const Positions& x, std::vector<MembraneStrain>& strains) const {
@@ -230,10 +265,12 @@ void Shell::strainsAfter(const Positions& x, const Positions& displacement,
   strains.resize(triangles_.size());
   std::visit(
       [&](const auto& membranes) {
-        for (std::size_t i = 0; i < triangles_.size(); ++i) {
-          strains[i] = membranes[i].strainAfter(pointsOf(triangles_[i], x),
-                                                pointsOf(triangles_[i], displacement));
-        }
+        forEachChunk(triangles_.size(), kElementsPerChunk, [&](const Chunk& chunk) {
+          for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
+            strains[i] = membranes[i].strainAfter(pointsOf(triangles_[i], x),
+                                                  pointsOf(triangles_[i], displacement));
+          }
+        });
       },
       membranes_);
 }
@@ -242,22 +279,25 @@ void Shell::addGradient(const Positions& x, const RestState& rest,
                         const std::vector<FoldAngle>& angles,
                         const std::vector<HingeGradient>& angle_gradients,
                         Positions& gradient) const {
-  std::visit(
-      [&](const auto& membranes) {
-        for (std::size_t i = 0; i < triangles_.size(); ++i) {
-          const MembraneGradient g =
-              rest.membrane[i] * membranes[i].gradient(pointsOf(triangles_[i], x), rest.strains[i]);
-          for (int k = 0; k < 3; ++k) gradient.col(triangles_[i][k]) += g.segment<3>(3 * k);
-        }
-      },
-      membranes_);
-  for (std::size_t j = 0; j < hinges_.size(); ++j) {
-    const Bend bend = hinges_[j].bend(angles[j], rest.angles[j]);
-    const double torque = rest.stiffness[j] * bend.value * bend.first;
-    for (int k = 0; k < 4; ++k) {
-      gradient.col(hinges_[j].vertices[k]) += torque * angle_gradients[j].segment<3>(3 * k);
+  forEachPart(vertexCount(), [&](const Chunk& part) {
+    std::visit(
+        [&](const auto& membranes) {
+          for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            if (!reach(triangles_[i], part)) continue;
+            const MembraneGradient own =
+                rest.membrane[i] *
+                membranes[i].gradient(pointsOf(triangles_[i], x), rest.strains[i]);
+            addTo(part, triangles_[i], own, gradient);
+          }
+        },
+        membranes_);
+    for (std::size_t j = 0; j < hinges_.size(); ++j) {
+      if (!reach(hinges_[j].vertices, part)) continue;
+      const Bend bend = hinges_[j].bend(angles[j], rest.angles[j]);
+      const double torque = rest.stiffness[j] * bend.value * bend.first;
+      addTo(part, hinges_[j].vertices, torque * angle_gradients[j], gradient);
     }
-  }
+  });
 }
 
 void Shell::addHessian(const Positions& x, const RestState& rest,
@@ -265,10 +305,19 @@ void Shell::addHessian(const Positions& x, const RestState& rest,
                        const std::vector<HingeGradient>& angle_gradients,
                        const std::vector<MembraneStrain>& strains, HessianKind kind,
                        HessianBlocks& blocks) const {
-  const int triangle_count = static_cast<int>(triangles_.size());
+  blocks.inParts([&](HessianBlocks& part) {
+    addMembraneHessian(x, rest, strains, kind, part);
+    addHingeHessian(x, rest, angles, angle_gradients, kind, part);
+  });
+}
+
+void Shell::addMembraneHessian(const Positions& x, const RestState& rest,
+                               const std::vector<MembraneStrain>& strains, HessianKind kind,
+                               HessianBlocks& blocks) const {
   std::visit(
       [&](const auto& membranes) {
-        for (int i = 0; i < triangle_count; ++i) {
+        for (int i = 0; i < static_cast<int>(triangles_.size()); ++i) {
+          if (!blocks.reach(i)) continue;
           const MembraneStrain strain = strains[i] - rest.strains[i];
           blocks.add(i, MembraneHessian(rest.membrane[i] *
                                         membranes[i].hessian(pointsOf(triangles_[i], x), strain,
@@ -276,13 +325,20 @@ void Shell::addHessian(const Positions& x, const RestState& rest,
         }
       },
       membranes_);
+}
+
+void Shell::addHingeHessian(const Positions& x, const RestState& rest,
+                            const std::vector<FoldAngle>& angles,
+                            const std::vector<HingeGradient>& angle_gradients, HessianKind kind,
+                            HessianBlocks& blocks) const {
+  int stencil = static_cast<int>(triangles_.size()) - 1;
   for (int j = 0; j < static_cast<int>(hinges_.size()); ++j) {
+    if (!blocks.reach(++stencil)) continue;
     const bool near_rest = std::abs(angles[j].radians - rest.angles[j].radians) < kNearRest;
     if (kind == HessianKind::kConvex || near_rest) {
-      blocks.addRankOne(triangle_count + j, gaussNewtonFactor(j, rest, angles[j]),
-                        angle_gradients[j]);
+      blocks.addRankOne(stencil, gaussNewtonFactor(j, rest, angles[j]), angle_gradients[j]);
     } else {
-      blocks.add(triangle_count + j,
+      blocks.add(stencil,
                  exactHessian(j, rest, angles[j], angle_gradients[j], pointsOf(hinges_[j], x)));
     }
   }

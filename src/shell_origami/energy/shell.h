@@ -66,9 +66,11 @@ class Shell {
 
   /// Adds the energy [J] to a sum, with every fold angle near `before`, those of a configuration
   /// close by (one a hinge). Returns false where a hinge would have passed 180 degrees on the way,
-  /// or a triangle has collapsed. Where it returns true `angles` are those at x.
+  /// or a triangle has collapsed. Where it returns true `angles` are those at x, and `energies`
+  /// those of the triangles, then of the hinges [J].
   bool addEnergy(const Positions& x, const RestState& rest, const std::vector<FoldAngle>& before,
-                 std::vector<FoldAngle>& angles, double& energy) const;
+                 std::vector<FoldAngle>& angles, std::vector<double>& energies,
+                 double& energy) const;
   /// Says why addEnergy() returns false; nothing where it does not.
   std::optional<Infeasibility> findInfeasibility(const Positions& x,
                                                  const std::vector<FoldAngle>& before) const;
@@ -108,6 +110,13 @@ class Shell {
  private:
   TrianglePoints pointsOf(const Triangle& t, const Positions& x) const;
   HingePoints pointsOf(const Hinge& h, const Positions& x) const;
+  void addMembraneHessian(const Positions& x, const RestState& rest,
+                          const std::vector<MembraneStrain>& strains, HessianKind kind,
+                          HessianBlocks& blocks) const;
+  void addHingeHessian(const Positions& x, const RestState& rest,
+                       const std::vector<FoldAngle>& angles,
+                       const std::vector<HingeGradient>& angle_gradients, HessianKind kind,
+                       HessianBlocks& blocks) const;
   double gaussNewtonFactor(int hinge, const RestState& rest, const FoldAngle& theta) const;
   HingeHessian exactHessian(int hinge, const RestState& rest, const FoldAngle& theta,
                             const HingeGradient& angle_gradient, const HingePoints& points) const;

@@ -7,6 +7,7 @@ namespace {
 
 struct ShellIterate : Potential::Iterate {
   std::vector<FoldAngle> angles;
+  std::vector<double> energies;                ///< of triangles and hinges [J]
   std::vector<HingeGradient> angle_gradients;  ///< of iterates whose gradient was asked for
   /// Those that the displacement to here predicted to first order, which the stress in the
   /// geometric stiffness is made of.
@@ -30,7 +31,8 @@ void ShellPotential::start(const Positions& x, Iterate& at) const {
 
 double ShellPotential::value(const Positions& x, const Iterate& from, Iterate& at) const {
   double energy = gravityEnergy(x);
-  const bool feasible = shell_.addEnergy(x, rest, of(from).angles, of(at).angles, energy);
+  const bool feasible =
+      shell_.addEnergy(x, rest, of(from).angles, of(at).angles, of(at).energies, energy);
   return feasible ? energy : std::numeric_limits<double>::infinity();
 }
 

@@ -1,9 +1,17 @@
 #include <shell_origami/linear/block_matrix.h>
 
 #include <algorithm>
+#include <atomic>
+#include <numeric>
 #include <utility>
 
 namespace shell_origami {
+namespace {
+
+/// Stencils whose places one thread looks up in one go.
+constexpr std::size_t kStencilsPerChunk = 256;
+
+}  // namespace
 
 BlockMatrix::BlockMatrix(VertexGraph graph) : graph_(std::move(graph)) {
   column_starts_.push_back(0);
@@ -29,27 +37,41 @@ void BlockMatrix::addToDiagonal(int block_row, double value) {
 
 bool BlockTargets::find(const Stencils& stencils, const std::vector<int>& rows,
                         const BlockMatrix& matrix) {
-  const VertexGraph& graph = matrix.graph_;
-  starts_.assign(1, 0);
+  std::atomic<bool> covered{true};
   targets_.clear();
-  for (int s = 0; s < stencils.count(); ++s) {
-    const int* vertices = stencils.begin(s);
-    const int count = static_cast<int>(stencils.end(s) - vertices);
-    for (int i = 0; i < count; ++i) {
-      for (int j = 0; j < count; ++j) {
-        const int row = rows[vertices[i]], column = rows[vertices[j]];
-        if (column < 0 || row < column) continue;
-        const auto first = graph.indices.begin() + graph.starts[column];
-        const auto last = graph.indices.begin() + graph.starts[column + 1];
-        const auto found = std::lower_bound(first, last, row);
-        if (row != column && (found == last || *found != row)) return false;
-        const int place = row == column ? 0 : 1 + static_cast<int>(found - first);
-        const int start = matrix.column_starts_[3 * column];
-        const int stride = matrix.column_starts_[3 * column + 1] - start;
-        targets_.push_back({start + 3 * place, stride, i, j});
-      }
+  starts_.assign(stencils.count() + 1, 0);
+  gatherChunks(stencils.count(), kStencilsPerChunk, targets_,
+               [&](const Chunk& chunk, std::vector<Target>& targets) {
+                 for (std::size_t s = chunk.begin; s < chunk.end && covered; ++s) {
+                   const std::size_t before = targets.size();
+                   if (!addTargets(stencils, s, rows, matrix, targets)) covered = false;
+                   starts_[s + 1] = static_cast<int>(targets.size() - before);
+                 }
+               });
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  return covered;
+}
+
+/// Adds the places of one stencil's blocks. Returns false where the matrix lacks one.
+bool BlockTargets::addTargets(const Stencils& stencils, std::size_t stencil,
+                              const std::vector<int>& rows, const BlockMatrix& matrix,
+                              std::vector<Target>& targets) {
+  const VertexGraph& graph = matrix.graph_;
+  const int* vertices = stencils.begin(static_cast<int>(stencil));
+  const int count = static_cast<int>(stencils.end(static_cast<int>(stencil)) - vertices);
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < count; ++j) {
+      const int row = rows[vertices[i]], column = rows[vertices[j]];
+      if (column < 0 || row < column) continue;
+      const auto first = graph.indices.begin() + graph.starts[column];
+      const auto last = graph.indices.begin() + graph.starts[column + 1];
+      const auto found = std::lower_bound(first, last, row);
+      if (row != column && (found == last || *found != row)) return false;
+      const int place = row == column ? 0 : 1 + static_cast<int>(found - first);
+      const int start = matrix.column_starts_[3 * column];
+      const int stride = matrix.column_starts_[3 * column + 1] - start;
+      targets.push_back({start + 3 * place, stride, i, j});
     }
-    starts_.push_back(static_cast<int>(targets_.size()));
   }
   return true;
 }

@@ -2,11 +2,13 @@
 /// A sparse symmetric matrix of 3x3 blocks, assembled from stencils without a search.
 #pragma once
 
+#include <shell_origami/base/parallel.h>
 #include <shell_origami/linear/stencils.h>
 #include <shell_origami/linear/vertex_graph.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <vector>
 
 namespace shell_origami {
@@ -57,6 +59,10 @@ class BlockTargets {
     int stride;
     int row, column;  ///< of the pair in the stencil, so that the block is in the lower triangle
   };
+  static bool addTargets(const Stencils& stencils, std::size_t stencil,
+                         const std::vector<int>& rows, const BlockMatrix& matrix,
+                         std::vector<Target>& targets);
+
   std::vector<int> starts_;
   std::vector<Target> targets_;
 };
@@ -68,17 +74,36 @@ struct PrescribedMotion {
   Eigen::Matrix3Xd forces;         ///< of all vertices, those of prescribed ones unused [N]
 };
 
-/// Adds the Hessian blocks of one list of stencils to a matrix.
+/// Adds the Hessian blocks of one list of stencils to a matrix, or to a part of it.
 class HessianBlocks {
  public:
   HessianBlocks(BlockMatrix& matrix, const BlockTargets& targets)
-      : values_(matrix.values_.data()), targets_(targets) {}
+      : values_(matrix.values_.data()), targets_(targets), part_{0, 0, matrix.values_.size()} {}
   /// Multiplies the blocks by a motion as well, which must live as long.
   HessianBlocks(BlockMatrix& matrix, const BlockTargets& targets, const Stencils& stencils,
                 PrescribedMotion& motion)
       : HessianBlocks(matrix, targets) {
     stencils_ = &stencils;
     motion_ = &motion;
+  }
+
+  /// Calls assemble(HessianBlocks&) for parts of the matrix, at the same time. Each call adds the
+  /// blocks of all stencils that reach() its part, of which only what is in the part is added. With
+  /// the stencils in the same order, sums are the same with any number of parts.
+  template <class Assemble>
+  void inParts(const Assemble& assemble) {
+    if (motion_) return assemble(*this);  // the forces are not divided
+    forEachPart(part_.end, [&](const Chunk& part) {
+      HessianBlocks blocks = *this;
+      blocks.part_ = part;
+      assemble(blocks);
+    });
+  }
+  /// Whether a stencil has a place in the part.
+  bool reach(int stencil) const {
+    const auto first = targets_.targets_.begin() + targets_.starts_[stencil];
+    const auto last = targets_.targets_.begin() + targets_.starts_[stencil + 1];
+    return motion_ || std::any_of(first, last, [this](const auto& target) { return has(target); });
   }
 
   /// Adds the block of a stencil: three rows and columns for each of its vertices.
@@ -102,10 +127,13 @@ class HessianBlocks {
   }
 
  private:
+  bool has(const BlockTargets::Target& target) const { return part_.contains(target.start); }
+
   template <class Add>
   void forEachColumn(int stencil, Add&& add) {
     for (int i = targets_.starts_[stencil]; i < targets_.starts_[stencil + 1]; ++i) {
       const BlockTargets::Target& target = targets_.targets_[i];
+      if (!has(target)) continue;
       for (int c = 0; c < 3; ++c) add(target, c, values_ + target.start + c * target.stride);
     }
   }
@@ -124,6 +152,7 @@ class HessianBlocks {
 
   double* values_;
   const BlockTargets& targets_;
+  Chunk part_;  ///< of the values, by where blocks start
   const Stencils* stencils_ = nullptr;
   PrescribedMotion* motion_ = nullptr;
 };

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 /// Grows where the file's contents change.
-constexpr int kVersion = 11;
+constexpr int kVersion = 12;
 /// A million triangles take some 300 MB.
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{2} << 30;
 

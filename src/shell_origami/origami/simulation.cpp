@@ -102,7 +102,8 @@ Simulation::Simulation(Sheet sheet, const SimulationConfig& config, const Positi
               Positions::Zero(3, positions.cols())},
       rest_(config_.rest, sheet_),
       in_plane_(sheet_),
-      stepper_(config_.solver) {
+      stepper_(config_.solver),
+      threads_(config_.solver.threads) {
   if (positions.cols() != sheet_.vertexCount() || !positions.allFinite()) {
     reject("the sheet has ", sheet_.vertexCount(), " vertices, but ", positions.cols(),
            " finite positions are needed");
@@ -134,7 +135,8 @@ Simulation::Simulation(const Snapshot& snapshot)
       time_(snapshot.time),
       resting_(snapshot.resting),
       edited_(snapshot.edited),
-      left_out_(snapshot.left_out) {
+      left_out_(snapshot.left_out),
+      threads_(config_.solver.threads) {
   topologyChanged();
   stepper_.restoreState(snapshot.solver);
   if ((contact_ || obstacle_contact_) && !stepper_.restorePattern(snapshot.pattern)) {
@@ -233,6 +235,11 @@ StepReport Simulation::counted(StepReport report) {
 }
 
 StepReport Simulation::step() {
+  return threads_.run([this] { return stepHere(); });
+}
+
+/// In the thread that calls it and those that it shares its work with.
+StepReport Simulation::stepHere() {
   if (resting_) {
     ++counters_.steps;
     time_ += config_.solver.time_step;

@@ -2,6 +2,7 @@
 /// The one door to the core: a sheet of paper that is edited, stepped and looked at.
 #pragma once
 
+#include <shell_origami/base/parallel.h>
 #include <shell_origami/contact/contact_forces.h>
 #include <shell_origami/dynamics/stepper.h>
 #include <shell_origami/energy/shell_potential.h>
@@ -162,6 +163,8 @@ class Simulation {
 
  private:
   class StepConditions;
+  EditRecord applyHere(const Edit& edit);
+  StepReport stepHere();
   // Each makes one edit, adds what it did to the record, and returns EditRecord::edit.
   FoldEdit make(const FoldEdit& edit, EditRecord& record);
   PinEdit make(const PinEdit& edit, EditRecord& record);
@@ -246,6 +249,7 @@ class Simulation {
   bool edited_ = false;                 ///< since the last step
   std::vector<TrianglePair> left_out_;  ///< of contact, ascending: what crossed when that began
   std::function<bool()> interrupt_;
+  Threads threads_;  ///< of steps and edits
 };
 
 }  // namespace shell_origami

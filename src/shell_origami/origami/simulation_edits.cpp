@@ -31,6 +31,10 @@ void checkFold(const FoldEdit& edit) {
 }  // namespace
 
 EditRecord Simulation::apply(const Edit& edit) {
+  return threads_.run([&] { return applyHere(edit); });
+}
+
+EditRecord Simulation::applyHere(const Edit& edit) {
   EditRecord record;
   record.step = counters_.steps;
   record.time = time_;
