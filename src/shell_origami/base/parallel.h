@@ -83,11 +83,12 @@ void forEachChunk(std::size_t count, std::size_t size, const Function& function)
 }
 
 /// Calls function(const Chunk&) for parts that make up [0, count), at the same time inside
-/// Threads::run. How many there are depends on the number of threads, and what the calls compute
-/// must not depend on it.
+/// Threads::run: one for each thread, or fewer where they would be smaller than `smallest`. What
+/// the calls compute must not depend on how many there are.
 template <class Function>
-void forEachPart(std::size_t count, const Function& function) {
-  const std::size_t parts = threadCount();
+void forEachPart(std::size_t count, std::size_t smallest, const Function& function) {
+  const std::size_t most = std::max<std::size_t>(1, count / smallest);
+  const std::size_t parts = std::min<std::size_t>(threadCount(), most);
   forEachChunk(count, std::max<std::size_t>(1, chunkCount(count, parts)), function);
 }
 
@@ -102,6 +103,9 @@ void gatherChunks(std::size_t count, std::size_t size, std::vector<Value>& all,
   }
   std::vector<std::vector<Value>> parts(chunkCount(count, size));
   forEachChunk(count, size, [&](const Chunk& chunk) { function(chunk, parts[chunk.index]); });
+  std::size_t total = all.size();
+  for (const auto& part : parts) total += part.size();
+  all.reserve(total);
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
 }
 

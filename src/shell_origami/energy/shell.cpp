@@ -24,6 +24,9 @@ constexpr double kCollapsed = 0.05;
 /// Triangles or hinges that one thread computes in one go.
 constexpr std::size_t kElementsPerChunk = 256;
 
+/// Vertices whose forces another thread is worth waking for.
+constexpr std::size_t kSmallestPart = 1500;
+
 /// Adds a gradient by some vertices to the columns of those that are in the part.
 template <class Vertices, class Gradient>
 void addTo(const Chunk& part, const Vertices& vertices, const Gradient& own, Positions& gradient) {
@@ -279,7 +282,7 @@ void Shell::addGradient(const Positions& x, const RestState& rest,
                         const std::vector<FoldAngle>& angles,
                         const std::vector<HingeGradient>& angle_gradients,
                         Positions& gradient) const {
-  forEachPart(vertexCount(), [&](const Chunk& part) {
+  forEachPart(vertexCount(), kSmallestPart, [&](const Chunk& part) {
     std::visit(
         [&](const auto& membranes) {
           for (std::size_t i = 0; i < triangles_.size(); ++i) {

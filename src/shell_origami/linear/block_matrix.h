@@ -93,7 +93,7 @@ class HessianBlocks {
   template <class Assemble>
   void inParts(const Assemble& assemble) {
     if (motion_) return assemble(*this);  // the forces are not divided
-    forEachPart(part_.end, [&](const Chunk& part) {
+    forEachPart(part_.end, kSmallestPart, [&](const Chunk& part) {
       HessianBlocks blocks = *this;
       blocks.part_ = part;
       assemble(blocks);
@@ -149,6 +149,9 @@ class HessianBlocks {
       }
     }
   }
+
+  /// Values of a part: fewer are added sooner than another thread is awake.
+  static constexpr std::size_t kSmallestPart = 40000;
 
   double* values_;
   const BlockTargets& targets_;
