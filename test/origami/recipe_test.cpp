@@ -266,7 +266,7 @@ TEST_F(RecipeTest, RefusesWithTheLineAndTheValue) {
   expect("sheet: {curvature: 5}", "map");
   expect("material: {thickness: -1}", "-1");
   expect("solver: {max_iterations: 2.5}", "2.5");
-  expect("solver: {threads: -1}", "solver/threads -1 is not from 0 to 1024");
+  expect("solver: {threads: -1}", "solver/threads is -1, but must be from 0 to 1024");
   expect("gravity: [0, 0]", "3 numbers");
   expect("sheet: [", "line");
   expect("just words", "map");
