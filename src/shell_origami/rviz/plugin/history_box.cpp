@@ -10,11 +10,11 @@
 namespace shell_origami {
 namespace {
 
-/// Edits that come between two looks.
-constexpr std::uint32_t kQueue = 1000;
+/// Edits that come between two looks. The list has no room for more.
+constexpr std::uint32_t kQueue = HistoryBox::kMostRows;
 constexpr int kNumber = Qt::UserRole;  ///< where an item keeps the number of its edit
 
-/// \param since  when the first edit of the list was
+/// \param since  when the first edit was of which the panel has heard
 QString editText(const msg::Edit& edit, const ros::Time& since) {
   QString what = QString::fromStdString(edit.kind);
   if (edit.kind == msg::Edit::FOLD) {
@@ -60,6 +60,7 @@ void HistoryBox::hear(const msg::Edit& edit) {
   if (list_->count() == 0) since_ = edit.header.stamp;
   auto* item = new QListWidgetItem(editText(edit, since_), list_);
   item->setData(kNumber, QVariant::fromValue<qulonglong>(edit.number));
+  if (list_->count() > kMostRows) delete list_->takeItem(0);
   list_->scrollToBottom();
 }
 

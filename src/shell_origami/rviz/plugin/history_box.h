@@ -11,9 +11,15 @@ class QPushButton;
 
 namespace shell_origami {
 
-/// The edits that the node has told of since the panel listens, without those that were undone.
+/// The last edits that the node has told of since the panel listens, without those that were
+/// undone.
 class HistoryBox : public QWidget {
  public:
+  /// A paper is edited for hours, and each reset is one more edit that can be undone: without a
+  /// limit the list would take ever more memory. ~undo goes back further where the node remembers
+  /// more.
+  static constexpr int kMostRows = 1000;
+
   explicit HistoryBox(PanelDesk& desk);
   void refresh();
 
