@@ -5,11 +5,13 @@
 #include <ros/master.h>
 #include <ros/network.h>
 #include <ros/ros.h>
+#include <rviz/frame_manager.h>
 #include <rviz/render_panel.h>
 #include <rviz/view_controller.h>
 #include <rviz/viewport_mouse_event.h>
 #include <rviz/visualization_manager.h>
 #include <std_srvs/Trigger.h>
+#include <tf2_ros/buffer.h>
 #include <unistd.h>
 #include <xmlrpcpp/XmlRpcClient.h>
 #include <QApplication>
@@ -189,6 +191,12 @@ void sendRandom(RvizWindow& rviz, std::mt19937& random) {
   }
 }
 
+/// rviz keeps the last ten minutes of TF, 8 kB a second of these papers, whatever its tool is. The
+/// rest of its memory does not grow: 200,000 events took nothing more in ten minutes.
+void forgetFrames(RvizWindow& rviz) {
+  rviz.frame().getManager()->getFrameManager()->getTF2BufferPtr()->clear();
+}
+
 /// MOUSE_EVENTS in the environment asks for more of them.
 TEST_F(RobustnessTest, RandomEventsDoNoHarm) {
   take("mortal");
@@ -208,6 +216,7 @@ TEST_F(RobustnessTest, RandomEventsDoNoHarm) {
       // Paper of which nothing more can be folded would be a dull one.
       std_srvs::Trigger trigger;
       ros::service::call("/mortal/reset", trigger);
+      forgetFrames(rviz);
       rviz.lookDown(0.3);
       if (rviz.tool().gesture().phase() == Gesture::Phase::kIdle) rviz.pass(0.1);
     }
@@ -215,7 +224,7 @@ TEST_F(RobustnessTest, RandomEventsDoNoHarm) {
   }
   const double grown = residentMegabytes() - settled;
   std::cout << events << " events; the second half took " << grown << " MB" << std::endl;
-  EXPECT_LT(grown, 20);
+  EXPECT_LT(grown, 2);
   take("mortal");
   EXPECT_TRUE(rviz.link().problem().empty()) << rviz.link().problem();
 }
