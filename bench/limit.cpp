@@ -107,7 +107,7 @@ BlockMatrix stepMatrix(const Simulation& simulation, const std::vector<int>& row
   Positions gradient = Positions::Zero(3, x.cols());
   potential.start(x, *at);
   potential.addGradient(x, *at, gradient);
-  potential.predict(x, Positions::Zero(3, x.cols()), *at);
+  potential.predict(x, x, Positions::Zero(3, x.cols()), *at);
   BlockMatrix matrix(graphOf(shell).renumbered(rows));
   BlockTargets targets;
   targets.find(shell.stencils(), rows, matrix);

@@ -20,11 +20,15 @@ Recipe dog(double triangles);
 /// A square held along one side, falling under gravity for two seconds.
 Recipe cantilever(double triangles);
 
+/// A square of 0.2 m of heavier, stiffer paper, held along one side, falling and swinging under
+/// gravity for a second. Nothing but the scheme damps it.
+Recipe swing(double triangles);
+
 /// bench/recipes/<name>.yaml, in which paper meets paper, the flat sheet in about so many
 /// triangles.
 Recipe touching(const std::string& name, double triangles);
 
-/// recipes/miura_1000.yaml.
-Recipe miura1000();
+/// recipes/<name>.yaml as it is.
+Recipe recipeNamed(const std::string& name);
 
 }  // namespace shell_origami

@@ -56,7 +56,9 @@ void foldBackInTwoThreads(benchmark::State& state) {
   fold(state, inTwoThreads(firstFold(static_cast<double>(state.range(0)))));
 }
 void hang(benchmark::State& state) { fold(state, cantilever(static_cast<double>(state.range(0)))); }
-void foldMiura(benchmark::State& state) { fold(state, miura1000()); }
+void swingFree(benchmark::State& state) { fold(state, swing(static_cast<double>(state.range(0)))); }
+void foldMiura(benchmark::State& state) { fold(state, recipeNamed("miura_1000")); }
+void unroll(benchmark::State& state) { fold(state, recipeNamed("scroll")); }
 
 void once(benchmark::internal::Benchmark* benchmark) {
   benchmark->Iterations(1)->Unit(benchmark::kMillisecond);
@@ -81,6 +83,8 @@ void once(benchmark::internal::Benchmark* benchmark) {
         ->Arg(10000)
         ->Apply(once),
     benchmark::RegisterBenchmark("cantilever", hang)->Arg(2000)->Apply(once),
+    benchmark::RegisterBenchmark("swing", swingFree)->Arg(2000)->Apply(once),
+    benchmark::RegisterBenchmark("scroll", unroll)->Apply(once),
     benchmark::RegisterBenchmark("miura_1000", foldMiura)->Apply(once)};
 
 }  // namespace

@@ -201,5 +201,36 @@ TEST(Shell, NoStepCarriesAHingeThroughTheHalfTurn) {
   EXPECT_FALSE(potential.findInfeasibility(x + fraction * step, *start));
 }
 
+/// What a step along an old factor's tangents needs: forces that were not foreseen turn along with
+/// the paper.
+TEST(Shell, RedirectedForcesPointAlongTheOtherConfiguration) {
+  const Paper paper;
+  for (const MembraneKind kind :
+       {MembraneKind::kStVenantKirchhoff, MembraneKind::kDiscreteShells}) {
+    Material material;
+    material.membrane = kind;
+    const ShellPotential potential(paper.sheet, material, Vector3::Zero());
+    const Shell& shell = potential.shell();
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.3, Vector3(1, 2, -1).normalized()).matrix();
+    Positions stretched = paper.flat;
+    stretched.row(0) *= 1.01;
+    const Positions turned = turn * stretched;
+    Positions force = Positions::Zero(3, stretched.cols());
+    potential.addGradient(stretched, force);
+    ASSERT_GT(force.norm(), 1);
+
+    std::vector<MembraneStrain> none(shell.triangles().size(), MembraneStrain::Zero()), all;
+    shell.strains(stretched, all);
+    Positions foreseen = force, unchanged = force, redirected = force;
+    shell.redirect(stretched, turned, potential.rest, all, foreseen);
+    shell.redirect(stretched, stretched, potential.rest, none, unchanged);
+    shell.redirect(stretched, turned, potential.rest, none, redirected);
+    const double rounding = 1e-12 * force.norm();
+    EXPECT_LT((foreseen - force).norm(), rounding);
+    EXPECT_LT((unchanged - force).norm(), rounding);
+    EXPECT_LT((redirected - turn * force).norm(), rounding);
+  }
+}
+
 }  // namespace
 }  // namespace shell_origami

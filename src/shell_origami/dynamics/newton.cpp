@@ -2,15 +2,17 @@
 
 #include <shell_origami/base/timer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace shell_origami {
 namespace {
 
-/// A step that an old factor gives and that is not this much shorter than the last is thrown away
-/// for that of a new factor: solving again costs a tenth of a factorization, a bad step several.
-constexpr double kShrinks = 0.2;
+/// An old factor serves where its steps, shrinking as they do, come within the tolerance in so many
+/// more: each costs a fifth of a factorization at 2,000 triangles, a seventh at 10,000, and a new
+/// factor takes some as well.
+constexpr int kMostSolves = 5;
 /// How many solves in a row may end at their first step by what is known of the second, and how
 /// much shorter than the tolerance that must be.
 constexpr int kUnchecked = 3;
@@ -84,6 +86,7 @@ bool Newton::assembleAndFactorize(const Positions& x, HessianKind kind, NewtonRe
 /// convex one: without its negative parts a Hessian converges slowly, where paper is about to
 /// buckle not for hundreds of iterations.
 bool Newton::factorize(const Positions& x, NewtonResult& result) {
+  factor_x_ = x;
   factorized_ = assembleAndFactorize(x, HessianKind::kExact, result) ||
                 assembleAndFactorize(x, HessianKind::kConvex, result);
   return factorized_;
@@ -96,21 +99,42 @@ void Newton::setHeldZero(Positions& gradient) const {
 }
 
 /// Computes the factor's step down the gradient into step_, and its largest displacement [m].
-bool Newton::solve(NewtonResult& result) {
+bool Newton::solve(const Positions& gradient, NewtonResult& result) {
   const Timer timer(result.times.solve);
   if (arriving_) {
-    if (!system_.solve(gradient_ + motion_.forces, step_)) return false;
+    if (!system_.solve(gradient + motion_.forces, step_)) return false;
     step_.rightCols(bodies_.cols()) = motion_.displacements.rightCols(bodies_.cols());
-  } else if (!system_.solve(gradient_, step_)) {
+  } else if (!system_.solve(gradient, step_)) {
     return false;
   }
   result.last_step = std::sqrt(step_.colwise().squaredNorm().maxCoeff(&result.vertex));
+  result.error = result.last_step;
+  return true;
+}
+
+/// The same with a factor of an earlier iterate. Where that serves no longer there is none
+/// afterwards. The error is what is left of steps that go on to shrink as they do (Hairer & Wanner,
+/// Solving Ordinary Differential Equations II, section IV.8).
+bool Newton::solveWithOldFactor(const Positions& x, double tolerance, NewtonResult& result) {
+  const double before = result.last_step;
+  {
+    const Timer timer(result.times.assembly);
+    redirected_ = gradient_;
+    objective_.redirect(x, factor_x_, redirected_);
+    setHeldZero(redirected_);
+  }
+  if (!solve(redirected_, result)) return false;
+  const double ratio = result.last_step / before, left = ratio / (1 - ratio);
+  if (result.iterations == 2) state_.contraction = ratio;
+  factorized_ =
+      ratio < 1 && left * std::pow(ratio, kMostSolves - 1) * result.last_step <= tolerance;
+  result.error = result.last_step * std::max(1.0, left);
   return true;
 }
 
 /// Newton's step from x into step_, as far as the potentials permit. False when the matrix cannot
 /// be factorized.
-bool Newton::computeStep(const Positions& x, NewtonResult& result) {
+bool Newton::computeStep(const Positions& x, double tolerance, NewtonResult& result) {
   ++result.iterations;
   {
     const Timer timer(result.times.assembly);
@@ -120,14 +144,9 @@ bool Newton::computeStep(const Positions& x, NewtonResult& result) {
   }
   if (!std::isfinite(result.gradient_norm)) return false;
   step_.setZero(3, x.cols());
-  const double before = result.last_step;
-  const bool old = factorized_ && !arriving_;
-  if (!old && !factorize(x, result)) return false;
-  if (!solve(result)) return false;
-  if (old && result.iterations == 2) state_.contraction = result.last_step / before;
-  if (old && !(result.last_step < kShrinks * before)) {
-    if (!factorize(x, result) || !solve(result)) return false;
-  }
+  if (arriving_) factorized_ = false;
+  if (factorized_ && !solveWithOldFactor(x, tolerance, result)) return false;
+  if (!factorized_ && (!factorize(x, result) || !solve(gradient_, result))) return false;
   const Timer timer(result.times.search);
   const double part = objective_.maxFeasibleStep(x, step_);
   step_ *= part < kBlocked ? avoidImpacts(x, part, result) : part;
@@ -144,22 +163,22 @@ double Newton::avoidImpacts(const Positions& x, double part, NewtonResult& resul
   setHeldZero(anticipated_);
   gradient_.swap(anticipated_);
   const double length = result.last_step;
-  const bool solved = factorize(x, result) && solve(result);
+  const bool solved = factorize(x, result) && solve(gradient_, result);
   gradient_.swap(anticipated_);
   factorized_ = false;  // the factor is that of the impacts as well
   if (solved && (arriving_ || gradient_.cwiseProduct(step_).sum() < 0)) {
     return objective_.maxFeasibleStep(x, step_);
   }
   step_ = blocked_;
-  result.last_step = length;
+  result.last_step = result.error = length;
   return part;
 }
 
 /// Whether the paper is within the tolerance once it has taken this step: because the step is that
 /// short, or because the next would be, by what the second step of a solve was to the first when
-/// last looked at (Hairer & Wanner, Solving Ordinary Differential Equations II, section IV.8).
+/// last looked at.
 bool Newton::isClose(const NewtonResult& result, double tolerance) {
-  if (result.last_step <= tolerance) return true;
+  if (result.error <= tolerance) return true;
   const bool expected = !arriving_ && result.iterations == 1 && state_.unchecked < kUnchecked &&
                         kSafety * state_.contraction * result.last_step <= tolerance;
   state_.unchecked = expected ? state_.unchecked + 1 : 0;
@@ -176,7 +195,7 @@ bool Newton::backtrack(bool uphill) {
     const double value =
         uphill ? objective_.tryFromBase(trial_) : objective_.tryFromCurrent(trial_);
     if (value > enough(base_.value, fraction * base_.slope)) continue;
-    objective_.accept(base_.x, base_.step);
+    objective_.accept(base_.x, base_.along, base_.step);
     return true;
   }
   return false;
@@ -184,6 +203,7 @@ bool Newton::backtrack(bool uphill) {
 
 void Newton::remember(const Positions& x) {
   base_.x = x;
+  base_.along = factor_x_;
   base_.step = step_;
   base_.value = objective_.value();
   base_.slope = gradient_.cwiseProduct(step_).sum();
@@ -211,7 +231,7 @@ bool Newton::advanceBodies(Positions& x) {
     trial_ = x + step_;
     if (whole && i == 0) trial_.rightCols(count) = bodies_;
     if (!std::isfinite(objective_.tryFromCurrent(trial_))) continue;
-    objective_.accept(x, step_);
+    objective_.accept(x, factor_x_, step_);
     x.swap(trial_);
     return true;
   }
@@ -268,7 +288,7 @@ NewtonResult Newton::minimize(const Potentials& potentials, const Eigen::VectorX
           "Newton's method did not converge in " + std::to_string(max_iterations) + " iterations";
       return result;
     }
-    if (!computeStep(x, result)) {
+    if (!computeStep(x, tolerance, result)) {
       result.failure = "the system matrix could not be factorized";
       return result;
     }
@@ -290,14 +310,14 @@ NewtonResult Newton::minimize(const Potentials& potentials, const Eigen::VectorX
     if (!fell && !uphill && !close && std::isfinite(value)) {
       uphill = true;
       objective_.keepAsBase();
-      objective_.accept(x, step_);
+      objective_.accept(x, factor_x_, step_);
       x.swap(trial_);
       continue;
     }
-    if (fell) objective_.accept(x, step_);
+    if (fell) objective_.accept(x, factor_x_, step_);
     const bool found = fell || backtrack(uphill);
     // Where forces may jump, as where paper touches, the last solve tells nothing of this one.
-    const bool known = result.last_step <= tolerance || !objective_.rough();
+    const bool known = result.error <= tolerance || !objective_.rough();
     result.converged = close && known && (fell || !uphill);
     if (found) x.swap(trial_);
     else x = base_.x;

@@ -38,6 +38,7 @@ struct NewtonResult {
   int analyses = 0;          ///< of the matrix pattern, where stencils were not covered
   double gradient_norm = 0;  ///< of the objective, where the last step started [N]
   double last_step = 0;      ///< largest displacement of a vertex by the last full step [m]
+  double error = 0;          ///< what the solve may still be off by after that step [m]
   std::string failure;
   int vertex = -1;  ///< where it failed
   SolverTimes times;
@@ -48,7 +49,12 @@ struct NewtonResult {
 ///   tangent has stretched, but what the last step predicted to first order, and at the start that
 ///   of the last equilibrium (the mixed integration points of Magisano, Leonetti and Garcea 2017;
 ///   Potential::predict). It saves half of the iterations, and makes the next peculiarity possible.
-/// - A factor serves as long as the steps it gives shrink fast (simplified Newton).
+/// - A factor serves as long as the steps it gives shrink fast (simplified Newton). That they do is
+///   owed to the stress being an unknown of its own: what a step has stretched the paper beyond
+///   what was predicted enters the next step's right-hand side along the factor's own tangents
+///   (Potential::redirect), as it does where a mixed system of displacements and stresses is solved
+///   by an old matrix. Along the new tangents a thousandth of it would push the paper, a million
+///   times softer there, out of its old ones, by a hundred times the step that is sought.
 /// - The line search forgives one step uphill, which the next may take back; where it does not, the
 ///   search goes back and shortens the first (a watchdog, Chamberlain et al. 1982).
 /// - A step that runs into something is computed again with a spring at each impact
@@ -89,7 +95,7 @@ class Newton {
  private:
   /// Where a search along a step begins.
   struct Base {
-    Positions x, step;
+    Positions x, along, step;
     double value = 0;  ///< of the objective [J]
     double slope = 0;  ///< its first-order change along the step [J]
   };
@@ -99,8 +105,9 @@ class Newton {
   bool advanceBodies(Positions& x);
   bool assembleAndFactorize(const Positions& x, HessianKind kind, NewtonResult& result);
   bool factorize(const Positions& x, NewtonResult& result);
-  bool solve(NewtonResult& result);
-  bool computeStep(const Positions& x, NewtonResult& result);
+  bool solve(const Positions& gradient, NewtonResult& result);
+  bool solveWithOldFactor(const Positions& x, double tolerance, NewtonResult& result);
+  bool computeStep(const Positions& x, double tolerance, NewtonResult& result);
   double avoidImpacts(const Positions& x, double part, NewtonResult& result);
   void setHeldZero(Positions& gradient) const;
   bool isClose(const NewtonResult& result, double tolerance);
@@ -112,13 +119,14 @@ class Newton {
   Objective objective_;
   StencilSystem system_;
   bool factorized_ = false;  ///< whether there is a factor of this solve
+  Positions factor_x_;       ///< where it was made
   bool arriving_ = false;    ///< whether bodies are not yet where they are to be
   Positions bodies_;         ///< where that is
   PrescribedMotion motion_;  ///< their way from x to there
   SolverState state_;
   // Scratch, kept between iterations and steps.
   Base base_;
-  Positions gradient_, step_, trial_, blocked_, anticipated_;
+  Positions gradient_, redirected_, step_, trial_, blocked_, anticipated_;
 };
 
 }  // namespace shell_origami

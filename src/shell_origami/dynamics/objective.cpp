@@ -50,7 +50,7 @@ bool Objective::begin(const Positions& before, Positions& x) {
   if (!std::isfinite(value_)) return false;
   // As if nothing had moved since the last equilibrium, whose stress is the best guess.
   zero_.setZero(3, x.cols());
-  for (Term& term : terms_) term.potential->predict(before, zero_, *term.current);
+  for (Term& term : terms_) term.potential->predict(before, before, zero_, *term.current);
   return true;
 }
 
@@ -67,6 +67,12 @@ void Objective::startGradient(const Positions& before, Positions& gradient) {
 
 void Objective::gradient(const Positions& x, Positions& gradient) {
   gradientAt(x, &Term::current, gradient);
+}
+
+void Objective::redirect(const Positions& x, const Positions& along, Positions& gradient) const {
+  for (const Term& term : terms_) {
+    term.potential->redirect(x, *term.current, along, gradient);
+  }
 }
 
 Potential::Iterate& Objective::current(const Potential& potential) {
@@ -125,9 +131,9 @@ double Objective::tryFromBase(const Positions& x) {
   return trial_value_ = evaluate(x, &Term::base, &Term::trial);
 }
 
-void Objective::accept(const Positions& x, const Positions& displacement) {
+void Objective::accept(const Positions& x, const Positions& along, const Positions& displacement) {
   for (Term& term : terms_) {
-    term.potential->predict(x, displacement, *term.trial);
+    term.potential->predict(x, along, displacement, *term.trial);
     term.current.swap(term.trial);
   }
   value_ = trial_value_;

@@ -47,6 +47,8 @@ class Objective {
   double value() const { return value_; }  ///< current [J]
   /// Writes the gradient [N] at the current configuration x.
   void gradient(const Positions& x, Positions& gradient);
+  /// Changes the gradient at the current configuration x for a step by the Hessian at `along`.
+  void redirect(const Positions& x, const Positions& along, Positions& gradient) const;
   /// Returns what a potential keeps of the current configuration. \pre it is one of the sum's
   Potential::Iterate& current(const Potential& potential);
   /// The potentials' stencils at the current configuration, valid until the next call.
@@ -69,8 +71,9 @@ class Objective {
   /// where it is infeasible.
   double tryFromCurrent(const Positions& x);
   double tryFromBase(const Positions& x);
-  /// Makes the trial, which is at x + displacement, the current configuration.
-  void accept(const Positions& x, const Positions& displacement);
+  /// Makes the trial, which is at x + displacement, the current configuration. The displacement
+  /// was found with the Hessian at `along`.
+  void accept(const Positions& x, const Positions& along, const Positions& displacement);
   /// Returns by how much the potentials at the current configuration x are above those at `before`
   /// [J]. The trial is lost.
   double potentialChange(const Positions& before, const Positions& x);

@@ -69,12 +69,12 @@ MembraneStrain EdgeAreaMembrane::strain(const TrianglePoints& x) const {
   return strain;
 }
 
-MembraneStrain EdgeAreaMembrane::strainAfter(const TrianglePoints& x,
+MembraneStrain EdgeAreaMembrane::strainAfter(const TrianglePoints& x, const TrianglePoints& along,
                                              const TrianglePoints& displacement) const {
   MembraneStrain after = strain(x);
-  const MembraneGradient swell = areaGradient(x) / area_;
+  const MembraneGradient swell = areaGradient(along) / area_;
   for (int k = 0; k < 3; ++k) {
-    after[k] += edge(x, k).normalized().dot(edge(displacement, k)) / lengths_[k];
+    after[k] += edge(along, k).normalized().dot(edge(displacement, k)) / lengths_[k];
     after[3] += swell.segment<3>(3 * k).dot(displacement[k]);
   }
   return after;

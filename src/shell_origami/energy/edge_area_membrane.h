@@ -25,7 +25,8 @@ class EdgeAreaMembrane {
   /// |e| / |e_flat| - 1 of the edge opposite each corner, and A_now / A - 1.
   MembraneStrain strain(const TrianglePoints& x) const;
   /// The same after a displacement, to first order in it.
-  MembraneStrain strainAfter(const TrianglePoints& x, const TrianglePoints& displacement) const;
+  MembraneStrain strainAfter(const TrianglePoints& x, const TrianglePoints& along,
+                             const TrianglePoints& displacement) const;
   /// Returns the strain() of a triangle that has this Green strain.
   MembraneStrain strainOf(const GreenStrain& green) const;
   /// Area in space over flat area.

@@ -75,10 +75,11 @@ MembraneStrain MembraneElement::strain(const TrianglePoints& x) const {
   return {e(0, 0), e(1, 1), e(0, 1), 0};
 }
 
-MembraneStrain MembraneElement::strainAfter(const TrianglePoints& x,
+MembraneStrain MembraneElement::strainAfter(const TrianglePoints& x, const TrianglePoints& along,
                                             const TrianglePoints& displacement) const {
-  const Deformation f = deformation(x), df = deformation(displacement);
-  const Eigen::Matrix2d e = greenStrain(f), turned = f.transpose() * df;
+  const Deformation df = deformation(displacement);
+  const Eigen::Matrix2d e = greenStrain(deformation(x)),
+                        turned = deformation(along).transpose() * df;
   return {e(0, 0) + turned(0, 0), e(1, 1) + turned(1, 1),
           e(0, 1) + (turned(0, 1) + turned(1, 0)) / 2, 0};
 }

@@ -40,8 +40,9 @@ class MembraneElement {
                           bool projected) const;
   /// E11, E22, E12, 0.
   MembraneStrain strain(const TrianglePoints& x) const;
-  /// The same after a displacement, to first order in it.
-  MembraneStrain strainAfter(const TrianglePoints& x, const TrianglePoints& displacement) const;
+  /// The same after a displacement, to first order in it by the derivative at `along`.
+  MembraneStrain strainAfter(const TrianglePoints& x, const TrianglePoints& along,
+                             const TrianglePoints& displacement) const;
   /// Returns the strain() of a triangle that has this Green strain.
   static MembraneStrain strainOf(const GreenStrain& green) {
     return {green[0], green[1], green[2], 0};

@@ -75,10 +75,16 @@ class Potential {
   /// Whether forces at the iterate may jump within a step, as where paper touches. The next step
   /// then does not assume that accelerations persist.
   virtual bool rough(const Iterate& /*at*/) const { return false; }
-  /// Stores in `at`, the iterate at x + displacement, changes to first order from x that make the
-  /// Hessian better than the exact ones do (the membrane's stress).
-  virtual void predict(const Positions& /*x*/, const Positions& /*displacement*/,
-                       Iterate& /*at*/) const {}
+  /// Stores in `at`, the iterate at x + displacement, changes to first order from x, by the
+  /// derivatives at `along`, that make the Hessian better than the exact ones do (the membrane's
+  /// stress).
+  virtual void predict(const Positions& /*x*/, const Positions& /*along*/,
+                       const Positions& /*displacement*/, Iterate& /*at*/) const {}
+  /// Changes the gradient at x for a step by the Hessian at `along`: forces that predict() did not
+  /// foresee, of what is stiff in some directions and soft in others (the membrane), are given the
+  /// directions that they have at `along`.
+  virtual void redirect(const Positions& /*x*/, const Iterate& /*at*/, const Positions& /*along*/,
+                        Positions& /*gradient*/) const {}
   /// Returns a place at which a whole step went further than one step may.
   virtual std::optional<Infeasibility> findJump(const Iterate& /*from*/,
                                                 const Iterate& /*to*/) const {

@@ -263,17 +263,36 @@ void Shell::strains(const Positions& x, std::vector<MembraneStrain>& strains) co
       membranes_);
 }
 
-void Shell::strainsAfter(const Positions& x, const Positions& displacement,
+void Shell::strainsAfter(const Positions& x, const Positions& along, const Positions& displacement,
                          std::vector<MembraneStrain>& strains) const {
   strains.resize(triangles_.size());
   std::visit(
       [&](const auto& membranes) {
         forEachChunk(triangles_.size(), kElementsPerChunk, [&](const Chunk& chunk) {
           for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
-            strains[i] = membranes[i].strainAfter(pointsOf(triangles_[i], x),
-                                                  pointsOf(triangles_[i], displacement));
+            strains[i] =
+                membranes[i].strainAfter(pointsOf(triangles_[i], x), pointsOf(triangles_[i], along),
+                                         pointsOf(triangles_[i], displacement));
           }
         });
+      },
+      membranes_);
+}
+
+void Shell::redirect(const Positions& x, const Positions& along, const RestState& rest,
+                     const std::vector<MembraneStrain>& predicted, Positions& gradient) const {
+  std::visit(
+      [&](const auto& membranes) {
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+          const TrianglePoints here = pointsOf(triangles_[i], x),
+                               there = pointsOf(triangles_[i], along);
+          const MembraneStrain surprise = membranes[i].strain(here) - predicted[i];
+          const auto force = [&](const TrianglePoints& points) {
+            return membranes[i].gradient(points, membranes[i].strain(points) - surprise);
+          };
+          const MembraneGradient moved = rest.membrane[i] * (force(there) - force(here));
+          for (int k = 0; k < 3; ++k) gradient.col(triangles_[i][k]) += moved.segment<3>(3 * k);
+        }
       },
       membranes_);
 }

@@ -80,13 +80,18 @@ class Shell {
   void foldAngles(const Positions& x, std::vector<FoldAngle>& angles) const;
   /// d theta / dx of every hinge.
   void angleGradients(const Positions& x, std::vector<HingeGradient>& angle_gradients) const;
-  /// One a triangle; where a displacement is given, after it, to first order.
+  /// One a triangle; where a displacement is given, after it, to first order by the derivative at
+  /// `along`.
   void strains(const Positions& x, std::vector<MembraneStrain>& strains) const;
-  void strainsAfter(const Positions& x, const Positions& displacement,
+  void strainsAfter(const Positions& x, const Positions& along, const Positions& displacement,
                     std::vector<MembraneStrain>& strains) const;
   /// Adds dW/dx [N], with the angles and their gradients at x.
   void addGradient(const Positions& x, const RestState& rest, const std::vector<FoldAngle>& angles,
                    const std::vector<HingeGradient>& angle_gradients, Positions& gradient) const;
+  /// Moves to where triangles are at `along` the forces by which their strains at x are other than
+  /// `predicted`.
+  void redirect(const Positions& x, const Positions& along, const RestState& rest,
+                const std::vector<MembraneStrain>& predicted, Positions& gradient) const;
   /// The triangles, then the hinges.
   const Stencils& stencils() const { return stencils_; }
   /// Adds the 9x9 block of every triangle and the 12x12 block of every hinge. `strains`, less those

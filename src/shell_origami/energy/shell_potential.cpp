@@ -66,8 +66,14 @@ double ShellPotential::maxFeasibleStep(const Positions& /*x*/, Iterate& at,
   return shell_.maxFeasibleStep(of(at).angles, of(at).angle_gradients, step);
 }
 
-void ShellPotential::predict(const Positions& x, const Positions& displacement, Iterate& at) const {
-  shell_.strainsAfter(x, displacement, of(at).strains);
+void ShellPotential::predict(const Positions& x, const Positions& along,
+                             const Positions& displacement, Iterate& at) const {
+  shell_.strainsAfter(x, along, displacement, of(at).strains);
+}
+
+void ShellPotential::redirect(const Positions& x, const Iterate& at, const Positions& along,
+                              Positions& gradient) const {
+  shell_.redirect(x, along, rest, of(at).strains, gradient);
 }
 
 std::optional<Infeasibility> ShellPotential::findJump(const Iterate& from,

@@ -38,7 +38,10 @@ class ShellPotential : public Potential {
   void addHessian(const Positions& x, const Iterate& at, HessianKind kind,
                   HessianBlocks& blocks) const override;
   double maxFeasibleStep(const Positions& x, Iterate& at, const Positions& step) const override;
-  void predict(const Positions& x, const Positions& displacement, Iterate& at) const override;
+  void predict(const Positions& x, const Positions& along, const Positions& displacement,
+               Iterate& at) const override;
+  void redirect(const Positions& x, const Iterate& at, const Positions& along,
+                Positions& gradient) const override;
   std::optional<Infeasibility> findJump(const Iterate& from, const Iterate& to) const override;
 };
 
