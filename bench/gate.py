@@ -36,7 +36,7 @@ def counters_of(scene, found):
         sys.exit('gate: there is no benchmark %s' % scene)
     if 'error_occurred' in wanted[0]:
         sys.exit('gate: %s: %s' % (scene, wanted[0].get('error_message')))
-    return {name: round(wanted[0][name], 4) for name in COUNTERS if name in wanted[0]}
+    return {name: float('%.5g' % wanted[0][name]) for name in COUNTERS if name in wanted[0]}
 
 
 def worse(before, now):
