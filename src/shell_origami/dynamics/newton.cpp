@@ -13,6 +13,9 @@ namespace {
 /// more: each costs a fifth of a factorization at 2,000 triangles, a seventh at 10,000, and a new
 /// factor takes some as well.
 constexpr int kMostSolves = 5;
+/// Where forces may jump, steps do not go on to shrink as they did, and they must have shrunk this
+/// much: sheets that slide came to rest before their time.
+constexpr double kShrinks = 0.2;
 /// How many solves in a row may end at their first step by what is known of the second, and how
 /// much shorter than the tolerance that must be.
 constexpr int kUnchecked = 3;
@@ -126,8 +129,9 @@ bool Newton::solveWithOldFactor(const Positions& x, double tolerance, NewtonResu
   if (!solve(redirected_, result)) return false;
   const double ratio = result.last_step / before, left = ratio / (1 - ratio);
   if (result.iterations == 2) state_.contraction = ratio;
-  factorized_ =
-      ratio < 1 && left * std::pow(ratio, kMostSolves - 1) * result.last_step <= tolerance;
+  const bool soon = left * std::pow(ratio, kMostSolves - 1) * result.last_step <= tolerance;
+  factorized_ = objective_.rough() ? ratio < kShrinks : ratio < 1 && soon;
+
   result.error = result.last_step * std::max(1.0, left);
   return true;
 }
