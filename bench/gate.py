@@ -36,7 +36,11 @@ def counters_of(scene, found):
         sys.exit('gate: there is no benchmark %s' % scene)
     if 'error_occurred' in wanted[0]:
         sys.exit('gate: %s: %s' % (scene, wanted[0].get('error_message')))
-    return {name: float('%.5g' % wanted[0][name]) for name in COUNTERS if name in wanted[0]}
+    return {name: number(wanted[0][name]) for name in COUNTERS if name in wanted[0]}
+
+
+def number(value):
+    return int(value) if value == int(value) else round(value, 4)
 
 
 def worse(before, now):

@@ -131,7 +131,6 @@ bool Newton::solveWithOldFactor(const Positions& x, double tolerance, NewtonResu
   if (result.iterations == 2) state_.contraction = ratio;
   const bool soon = left * std::pow(ratio, kMostSolves - 1) * result.last_step <= tolerance;
   factorized_ = objective_.rough() ? ratio < kShrinks : ratio < 1 && soon;
-
   result.error = result.last_step * std::max(1.0, left);
   return true;
 }
