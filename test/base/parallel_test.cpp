@@ -72,26 +72,24 @@ TEST(Parallel, RunReturnsWhatTheFunctionReturns) {
   EXPECT_EQ(threadCount(), 1);
 }
 
-/// Two functions, each of which waits for the other: they end only in two threads.
-void meet() {
-  std::atomic<int> arrived{0};
-  const auto wait = [&] {
-    ++arrived;
-    while (arrived < 2) std::this_thread::yield();
-  };
-  parallelInvoke(wait, wait);
-}
-
-TEST(Parallel, TwoFunctionsRunAtTheSameTime) {
-  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "no second core for a worker";
+/// Two chunks, each of which waits for the other where there is a second core: they end only in two
+/// threads.
+TEST(Parallel, ChunksRunAtTheSameTime) {
   Threads threads(2);
-  threads.run(meet);
+  std::atomic<int> arrived{0};
+  threads.run([&] {
+    forEachChunk(2, 1, [&](const Chunk&) {
+      ++arrived;
+      while (arrived < threads.count()) std::this_thread::yield();
+    });
+  });
+  EXPECT_EQ(arrived, 2);
 }
 
 TEST(Parallel, ParallelWorkInAWorkerIsParallelToo) {
   std::atomic<int> calls{0};
   const auto nested = [&] { forEachChunk(100, 1, [&](const Chunk&) { ++calls; }); };
-  Threads(2).run([&] { parallelInvoke(nested, nested); });
+  Threads(2).run([&] { forEachChunk(2, 1, [&](const Chunk&) { nested(); }); });
   EXPECT_EQ(calls, 200);
 }
 
@@ -104,8 +102,6 @@ TEST(Parallel, OneThreadIsTheCallingOne) {
       EXPECT_EQ(chunk.index, order.size());
       order.insert(chunk.index);
     });
-    int calls = 0;
-    parallelInvoke([&] { EXPECT_EQ(calls++, 0); }, [&] { EXPECT_EQ(calls++, 1); });
   };
   check();
   Threads(1).run(check);
@@ -121,9 +117,6 @@ TEST(Parallel, ExceptionsPropagate) {
       });
     }),
                  std::runtime_error);
-    EXPECT_THROW(
-        threads.run([] { parallelInvoke([] {}, [] { throw std::runtime_error("the second"); }); }),
-        std::runtime_error);
     double sum = 0;
     threads.run([&] { sum = sumOfRoots(100); });
     EXPECT_EQ(sum, sumOfRoots(100)) << "works again";

@@ -1,8 +1,9 @@
-#include <shell_origami/base/error.h>
 #include <shell_origami/base/parallel.h>
+
+#include <shell_origami/base/error.h>
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
@@ -76,20 +77,6 @@ void parallel_detail::forEachChunk(std::size_t count, std::size_t size,
         for (std::size_t index = range.begin(); index < range.end(); ++index) call(index);
       },
       tbb::simple_partitioner());
-}
-
-void parallel_detail::invoke(const std::function<void()>& first,
-                             const std::function<void()>& second) {
-  if (!in_arena) {
-    first();
-    second();
-    return;
-  }
-  const auto inside = [](const std::function<void()>& function) {
-    const ArenaScope scope(true);
-    function();
-  };
-  tbb::parallel_invoke([&] { inside(first); }, [&] { inside(second); });
 }
 
 }  // namespace shell_origami

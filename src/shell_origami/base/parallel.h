@@ -71,7 +71,6 @@ int threadCount();
 namespace parallel_detail {
 void forEachChunk(std::size_t count, std::size_t size,
                   const std::function<void(const Chunk&)>& function);
-void invoke(const std::function<void()>& first, const std::function<void()>& second);
 }  // namespace parallel_detail
 
 /// Calls function(const Chunk&) for the chunks of [0, count), in any order and in several threads
@@ -107,13 +106,6 @@ void gatherChunks(std::size_t count, std::size_t size, std::vector<Value>& all,
   for (const auto& part : parts) total += part.size();
   all.reserve(total);
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-}
-
-/// Calls both functions, at the same time inside Threads::run, first the first otherwise. Throws
-/// what one of them throws; the other may not have been called then.
-template <class First, class Second>
-void parallelInvoke(const First& first, const Second& second) {
-  parallel_detail::invoke(std::cref(first), std::cref(second));
 }
 
 }  // namespace shell_origami
