@@ -193,7 +193,8 @@ void expectSame(const Noted& noted) {
   Simulation again = makeSimulation(runner.recipe().sheet, runner.recipe().config);
   while (runner.update(again)) ASSERT_TRUE(again.step().converged);
   ASSERT_EQ(again.sheet().vertexCount(), noted.simulation.sheet().vertexCount()) << text;
-  EXPECT_LT((again.positions() - noted.simulation.positions()).cwiseAbs().maxCoeff(), 1e-12)
+  // Angles in degrees are rounded; a step solved otherwise would be off by its tolerance, 2e-6 m.
+  EXPECT_LT((again.positions() - noted.simulation.positions()).cwiseAbs().maxCoeff(), 5e-11)
       << text;
   EXPECT_EQ(again.pinned(), noted.simulation.pinned()) << text;
 }
