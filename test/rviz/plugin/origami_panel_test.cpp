@@ -34,7 +34,10 @@ class OrigamiPanelTest : public testing::Test {
     rviz.chooseNode("origami");
     std_srvs::Trigger trigger;
     for (const std::string service : {"pause", "reset"}) {
-      ASSERT_TRUE(ros::service::call("/origami/" + service, trigger) && trigger.response.success);
+      // What the test before pushed may still be under way.
+      rviz.wait(service, [&] {
+        return ros::service::call("/origami/" + service, trigger) && trigger.response.success;
+      });
     }
     rviz.wait("flat paper", [this] {
       return rviz.paper().sheet().creases().empty() && state().paused && state().pinned.empty();
