@@ -1,8 +1,9 @@
 /// \file
 /// Work in several threads, whose results do not depend on how many there are.
 ///
-/// Work is divided by the size of the data alone. Each part writes to a place of its own, and sums
-/// are joined in the order of the parts. Rounding then is the same with any number of threads.
+/// Either work is divided by the size of the data alone, and what the chunks give is joined in
+/// their order (forEachChunk(), gatherChunks()), or each part computes values of its own as one
+/// thread would (forEachPart()). Rounding then is the same with any number of threads.
 #pragma once
 
 #include <algorithm>

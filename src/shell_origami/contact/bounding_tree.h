@@ -71,7 +71,8 @@ class BoundingTree {
   struct NodePair {
     int a, b;
   };
-  /// What threads share: pairs of nodes, divided so often or until there are enough.
+  /// A walk through the tree is shared among threads by pairs of nodes. Pairs are divided until
+  /// there are enough of them, in so many rounds at most.
   static constexpr int kRounds = 12;
   static constexpr std::size_t kEnoughPairs = 200;
 

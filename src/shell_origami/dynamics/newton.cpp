@@ -13,8 +13,8 @@ namespace {
 /// more: each costs a fifth of a factorization at 2,000 triangles, a seventh at 10,000, and a new
 /// factor takes some as well.
 constexpr int kMostSolves = 5;
-/// Where forces may jump, steps do not go on to shrink as they did, and they must have shrunk this
-/// much: sheets that slide came to rest before their time.
+/// Where forces may jump, steps do not go on to shrink as they did. There an old factor's step must
+/// be this much shorter than the last: with the test above a sheet that slid stopped too early.
 constexpr double kShrinks = 0.2;
 /// How many solves in a row may end at their first step by what is known of the second, and how
 /// much shorter than the tolerance that must be.
@@ -147,7 +147,6 @@ bool Newton::computeStep(const Positions& x, double tolerance, NewtonResult& res
   }
   if (!std::isfinite(result.gradient_norm)) return false;
   step_.setZero(3, x.cols());
-  if (arriving_) factorized_ = false;
   if (factorized_ && !solveWithOldFactor(x, tolerance, result)) return false;
   if (!factorized_ && (!factorize(x, result) || !solve(gradient_, result))) return false;
   const Timer timer(result.times.search);

@@ -49,12 +49,11 @@ struct NewtonResult {
 ///   tangent has stretched, but what the last step predicted to first order, and at the start that
 ///   of the last equilibrium (the mixed integration points of Magisano, Leonetti and Garcea 2017;
 ///   Potential::predict). It saves half of the iterations, and makes the next peculiarity possible.
-/// - A factor serves as long as the steps it gives shrink fast (simplified Newton). That they do is
-///   owed to the stress being an unknown of its own: what a step has stretched the paper beyond
-///   what was predicted enters the next step's right-hand side along the factor's own tangents
-///   (Potential::redirect), as it does where a mixed system of displacements and stresses is solved
-///   by an old matrix. Along the new tangents a thousandth of it would push the paper, a million
-///   times softer there, out of its old ones, by a hundred times the step that is sought.
+/// - A factor serves as long as the steps it gives shrink fast (simplified Newton). Stresses that
+///   were not predicted pull along the tangents of the paper where the factor was made
+///   (Potential::redirect), as where a mixed system of displacements and stresses is solved by an
+///   old matrix. Along the present tangents they would have a part across the old paper, which is a
+///   million times softer that way: the step would be a hundred times too long.
 /// - The line search forgives one step uphill, which the next may take back; where it does not, the
 ///   search goes back and shortens the first (a watchdog, Chamberlain et al. 1982).
 /// - A step that runs into something is computed again with a spring at each impact

@@ -21,7 +21,7 @@ constexpr double kOpeningStiffness = 5;
 constexpr double kRestAfterSquash = 0.1;
 /// A point this far beside a hinge, as an angle [rad] and a part of its length, is on its layer.
 constexpr double kBesideHinge = 0.05;
-/// What is nearer than this part of the sheet's size is at one place.
+/// Points that are closer together than this part of the sheet's size are taken for one.
 constexpr double kSamePlace = 0.008;
 
 /// A crease that leaves the flap's inner corner.

@@ -1,5 +1,5 @@
 /// \file
-/// What a recipe's step does to the paper when it begins.
+/// The edits with which a step of a recipe begins.
 #pragma once
 
 #include <shell_origami/origami/recipe.h>

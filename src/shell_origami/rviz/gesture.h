@@ -1,5 +1,5 @@
 /// \file
-/// What a sequence of mouse events and keys means.
+/// Turns mouse events and keys into requests: lines, folds, pins and others.
 #pragma once
 
 #include <shell_origami/rviz/laid_fold.h>
@@ -22,7 +22,7 @@ struct MouseInput {
   double crease_angle = 0;  ///< of the spot's crease [rad]
 };
 
-/// What a press or key did with it.
+/// The answer of a gesture to a mouse event or a key.
 struct Reaction {
   bool taken = false;  ///< otherwise the event is the camera's
   std::optional<MouseRequest> request;

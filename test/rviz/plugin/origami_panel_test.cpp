@@ -34,7 +34,8 @@ class OrigamiPanelTest : public testing::Test {
     rviz.chooseNode("origami");
     std_srvs::Trigger trigger;
     for (const std::string service : {"pause", "reset"}) {
-      // What the test before pushed may still be under way.
+      // On a busy machine roscpp has reported a call as failed that the node had answered. Either
+      // may be made twice.
       rviz.wait(service, [&] {
         return ros::service::call("/origami/" + service, trigger) && trigger.response.success;
       });
