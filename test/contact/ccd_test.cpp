@@ -308,6 +308,20 @@ TEST(FeasiblePart, LayersSlide) {
   }
 }
 
+TEST(FeasiblePart, LayersTurnTogether) {
+  Queries queries(8);
+  Random random(8);
+  for (const double gap : {1e-4, 1e-6, 2e-8}) {
+    for (int i = 0; i < 2000; ++i) {
+      Query q = queries.overlappingLayers(i % 2 ? PairKind::kVertexFace : PairKind::kEdgeEdge, gap);
+      // The closer they are, the shorter the ways on which the plane's turn is theirs.
+      const Eigen::AngleAxisd turn(random.between(0, gap > 1e-7 ? 0.1 : 0.02), random.direction());
+      for (int k = 0; k < 4; ++k) q.to[k] = turn * q.from[k];
+      EXPECT_EQ(permitted(q), 1) << gap << " " << i;
+    }
+  }
+}
+
 TEST(FeasiblePart, IsTheSameFarFromTheOrigin) {
   Queries queries(6);
   const double grid = std::ldexp(1, -40);

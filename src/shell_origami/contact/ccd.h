@@ -24,7 +24,9 @@ struct KeptDistance {
 /// primitives as long as their corners stay on their sides of it, which for a linear motion is
 /// decided at its end. A step is never shorter than that of additive CCD (Li, Kaufman and Jiang,
 /// Codimensional Incremental Potential Contact, 2021, section 5), and layers that slide along each
-/// other are not held up.
+/// other are not held up. Nor are layers that turn together, however close: a second plane turns
+/// from where the closest points are now to where they will be, and the corners' distances from it
+/// are quadratic in time.
 double feasiblePart(PairKind kind, const PairPoints& from, const PairPoints& to,
                     const KeptDistance& kept);
 
