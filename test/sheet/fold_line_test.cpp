@@ -217,8 +217,8 @@ struct Rolled {
       space.col(v) = kRadius * Vector3(std::sin(angle), p.y() / kRadius, 1 - std::cos(angle));
     }
   }
-  /// Folds lines that pass vertices at all distances. Returns how far from the paper the vertices of
-  /// before are after a fold, at most, in mean edges.
+  /// Folds lines that pass vertices at all distances. Returns how far from the paper the vertices
+  /// of before are after a fold, at most, in mean edges.
   double foldAll(double most_moved) {
     double farthest = 0;
     for (int i = 0; i < 12; ++i) {

@@ -95,8 +95,8 @@ void Simulation::foldLine(const Segment& line, const FoldEdit& edit, EditRecord&
   record.parts = line_made.parts;
 }
 
-/// Makes the line in the sheet. Where the repair of slivers would push paper through paper, it moves
-/// points less far, and in the end none.
+/// Makes the line in the sheet. Where the repair of slivers would push paper through paper, it
+/// moves points less far, and in the end none.
 FoldLine Simulation::insertLine(const Segment& line, const std::string& name) {
   EditContext context{&motion_.positions, pinned()};
   const bool separate = contactOn() && left_out_.empty();
