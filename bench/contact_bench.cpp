@@ -1,5 +1,6 @@
 /// \file
 /// Paper that meets paper: the solver's work in each step, and how close the layers come.
+#include "bench/contact_limit.h"
 #include "bench/run.h"
 #include "bench/scenes.h"
 
@@ -41,6 +42,27 @@ class Closeness {
   double gap_ = -1;
 };
 
+/// Every twentieth step that ends with contacts, beside what no such step can do without.
+class Limits {
+ public:
+  void look(const Run& run) {
+    const Simulation& simulation = run.simulation();
+    if (simulation.counters().steps % 20 != 0 || simulation.contacts().empty()) return;
+    const ContactLimit limit = measureContactLimit(simulation);
+    steps_ += run.lastStep();
+    all_ += limit.total();
+    candidates_ += limit.candidates;
+  }
+  void report(benchmark::State& state) const {
+    if (all_ == 0) return;
+    state.counters["step_over_contact_limit"] = steps_ / all_;
+    state.counters["candidates_in_limit"] = candidates_ / all_;
+  }
+
+ private:
+  double steps_ = 0, all_ = 0, candidates_ = 0;  // [s]
+};
+
 /// Without contact as well: what it costs.
 void touch(benchmark::State& state, const std::string& scene, bool contact, int threads) {
   for (auto _ : state) {
@@ -49,15 +71,18 @@ void touch(benchmark::State& state, const std::string& scene, bool contact, int 
     recipe.config.solver.threads = threads;
     Run run(recipe);
     Closeness closeness;
+    Limits limits;
     std::vector<double> iterations, factorizations;
     for (Counters before; run.step(); before = run.simulation().counters()) {
       const Counters& now = run.simulation().counters();
       iterations.push_back(static_cast<double>(now.newton_iterations - before.newton_iterations));
       factorizations.push_back(static_cast<double>(now.factorizations - before.factorizations));
       closeness.look(run.simulation());
+      if (contact) limits.look(run);
     }
     run.report(state);
     closeness.report(state);
+    limits.report(state);
     state.counters["newton_median"] = median(iterations);
     state.counters["newton_p95"] = percentile95(iterations);
     state.counters["newton_max"] = largest(iterations);

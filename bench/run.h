@@ -27,8 +27,8 @@ class Run {
   const Simulation& simulation() const { return simulation_; }
   double medianStep() const { return median(step_times_); }  ///< wall time [s]
   double meanStep() const;                                   ///< wall time [s]
-
-  double longestStep() const;  ///< wall time [s]
+  double longestStep() const;                                ///< wall time [s]
+  double lastStep() const { return step_times_.back(); }     ///< wall time [s]
 
   /// Writes the cost of the run so far into the benchmark's counters.
   void report(benchmark::State& state) const;

@@ -65,13 +65,16 @@ def contact_row(name, b):
     counts = [b[key] for key in ('newton', 'newton_median', 'newton_p95', 'newton_max', 'factorizations',
                                  'factorizations_p95', 'factorizations_max', 'contacts_max', 'gap_um', 'crossings')]
     times = [b['step_median_ms'], b['step_mean_ms'], b['step_max_ms']]
-    return [name, number(b['triangles'])] + [number(x) for x in times + counts]
+    limit = number(b['step_over_contact_limit']) if 'step_over_contact_limit' in b else ''
+    return [name, number(b['triangles'])] + [number(x) for x in times] + [limit] + [number(x) for x in counts]
 
 
 def contact(benchmarks):
-    """Times in milliseconds; crossings are those of every tenth step."""
+    """Times in milliseconds. Steps over their limit are those of every twentieth step that touches,
+    crossings those of every tenth step."""
     rows = [contact_row(name, b) for (name, _), b in benchmarks.items() if 'contacts_max' in b]
-    yield from table(['contact, ms a step', 'triangles', 'median', 'mean', 'longest', 'Newton', 'median', '95 %',
+    yield from table(['contact, ms a step', 'triangles', 'median', 'mean', 'longest', 'step / limit', 'Newton',
+                      'median', '95 %',
                       'most', 'factorizations', '95 %', 'most', 'pairs', 'smallest gap, um', 'crossings'], rows)
 
 

@@ -35,17 +35,19 @@ Candidates::Candidates(const CollisionMesh& mesh, const BoundingTree& tree, cons
       turn_(frameOfLayers(mesh, from)),
       places_(turn_.lazyProduct(from.leftCols(mesh.vertexCount()))),
       ways_(turn_.lazyProduct(to.leftCols(mesh.vertexCount())) - places_) {
-  std::vector<MovingBox> faces;
-  faces.reserve(mesh.faces().size());
-  for (const CollisionMesh::Face& face : mesh.faces()) faces.push_back(boxOf(face.vertices));
+  Boxes boxes;
+  boxes.faces.reserve(mesh.faces().size());
+  for (const CollisionMesh::Face& face : mesh.faces()) boxes.faces.push_back(boxOf(face.vertices));
+  boxes.edges.reserve(mesh.edges().size());
+  for (const auto& edge : mesh.edges()) boxes.edges.push_back(boxOf(edge));
   std::atomic<std::size_t> count{0};
   tree.gatherPairs(
-      faces, pairs_, [this](const MovingBox& a, const MovingBox& b) { return meet(a, b); },
+      boxes.faces, pairs_, [this](const MovingBox& a, const MovingBox& b) { return meet(a, b); },
       [&](int f, int g, std::vector<ContactPair>& pairs) {
         if (mesh.leftOut(f, g) || count > most) return;
         const std::size_t before = pairs.size();
-        addPairs(mesh, faces, f, g, pairs);
-        addPairs(mesh, faces, g, f, pairs);
+        addPairs(mesh, boxes, f, g, pairs);
+        addPairs(mesh, boxes, g, f, pairs);
         if (pairs.size() > before) count += pairs.size() - before;
       });
   complete_ = count <= most;
@@ -66,22 +68,21 @@ MovingBox Candidates::boxOf(const Triangle& face) const {
 }
 
 /// Adds the pairs of what f owns with g, and of its edges with those of g (once: f before g).
-void Candidates::addPairs(const CollisionMesh& mesh, const std::vector<MovingBox>& faces, int f,
-                          int g, std::vector<ContactPair>& pairs) const {
+void Candidates::addPairs(const CollisionMesh& mesh, const Boxes& boxes, int f, int g,
+                          std::vector<ContactPair>& pairs) const {
   const CollisionMesh::Face &own = mesh.faces()[f], &other = mesh.faces()[g];
   const auto& [a, b, c] = other.vertices;
   const TrianglePair pair{std::min(f, g), std::max(f, g)};
   for (int v : own.owned_vertices) {
-    if (v < 0 || !meet(boxOf(v), faces[g]) || mesh.incident(v, g)) continue;
+    if (v < 0 || !meet(boxOf(v), boxes.faces[g]) || mesh.incident(v, g)) continue;
     add(mesh, PairKind::kVertexFace, {v, a, b, c}, pair, pairs);
   }
   if (f > g) return;
   for (int e : own.owned_edges) {
     if (e < 0) continue;
-    const MovingBox edge_box = boxOf(mesh.edges()[e]);
-    if (!meet(edge_box, faces[g])) continue;
+    if (!meet(boxes.edges[e], boxes.faces[g])) continue;
     for (int h : other.owned_edges) {
-      if (h < 0 || mesh.incidentEdges(e, h) || !meet(edge_box, boxOf(mesh.edges()[h]))) continue;
+      if (h < 0 || mesh.incidentEdges(e, h) || !meet(boxes.edges[e], boxes.edges[h])) continue;
       const auto [a0, a1] = mesh.edges()[e];
       const auto [b0, b1] = mesh.edges()[h];
       add(mesh, PairKind::kEdgeEdge, {a0, a1, b0, b1}, pair, pairs);

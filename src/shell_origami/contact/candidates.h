@@ -52,13 +52,18 @@ class Candidates {
   bool meet(const MovingBox& a, const MovingBox& b) const {
     return mayMeet(a, b, kAhead, 2 * margin_ + kNear * reach_);
   }
+  /// The boxes of a mesh's faces and edges.
+  struct Boxes {
+    std::vector<MovingBox> faces, edges;
+  };
+
   MovingBox boxOf(int vertex) const {
     return {Eigen::AlignedBox3d(Vector3(places_.col(vertex))),
             Eigen::AlignedBox3d(Vector3(ways_.col(vertex)))};
   }
   MovingBox boxOf(const std::array<int, 2>& edge) const;
   MovingBox boxOf(const Triangle& face) const;
-  void addPairs(const CollisionMesh& mesh, const std::vector<MovingBox>& faces, int f, int g,
+  void addPairs(const CollisionMesh& mesh, const Boxes& boxes, int f, int g,
                 std::vector<ContactPair>& pairs) const;
   void add(const CollisionMesh& mesh, PairKind kind, const std::array<int, 4>& vertices,
            const TrianglePair& faces, std::vector<ContactPair>& pairs) const;
