@@ -12,9 +12,9 @@ namespace shell_origami {
 namespace {
 
 /// A point of the paper may move where an edge was flipped or a vertex shifted on paper that is
-/// bent there, by 0.02 rad at most: by a quarter of the quadrilateral's diagonal (sqrt(3) edges)
-/// times that, once for each flip on top of another, of which four are seen.
-constexpr double kMostMoved = 4 * 0.25 * 1.7320508 * 0.02;  // times max_edge
+/// bent there: by kMostMoved of the quadrilateral's diagonal (sqrt(3) edges), once for each flip on
+/// top of another, of which four are seen.
+constexpr double kFarthest = 4 * 1.7320508 * kMostMoved;  // times max_edge
 
 /// Where points of the flat sheet are in space.
 struct Material {
@@ -47,7 +47,7 @@ void compare(const Material& before, const Material& after, double max_edge, See
     seen.moved += distance > 1e-9 * before.sheet.size();
     seen.farthest = std::max(seen.farthest, distance / max_edge);
   }
-  require(seen.farthest < kMostMoved, "a point of the paper moved too far");
+  require(seen.farthest < kFarthest, "a point of the paper moved too far");
 }
 
 void foldOneSheet(RandomSheets& random, int most, Seen& seen) {
@@ -106,7 +106,7 @@ bool fuzzFolds(int folds, unsigned seed) {
       "at most (bound %.2g); %d angles under 15 degrees; %ld steps, %.1f Newton iterations "
       "each, %ld cut in two, %d did not converge\n",
       seen.folds, seen.along_border, seen.too_small, seen.moved, seen.points, seen.farthest,
-      kMostMoved, seen.slivers, seen.steps, static_cast<double>(seen.iterations) / seen.steps,
+      kFarthest, seen.slivers, seen.steps, static_cast<double>(seen.iterations) / seen.steps,
       seen.retries, seen.unconverged);
   return kept && seen.slivers == 0;
 }
