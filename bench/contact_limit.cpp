@@ -49,8 +49,7 @@ ContactLimit measureContactLimit(const Simulation& simulation) {
   const auto assemble = [&](HessianKind kind) {
     system.setZero();
     for (std::size_t i = 0; i < stencils.size(); ++i) {
-      HessianBlocks blocks = system.blocks(i);
-      objective.addHessian(i, x, kind, blocks);
+      objective.addHessian(i, x, kind, system.blocks(i));
     }
     const double dt = simulation.config().solver.time_step;
     system.addToDiagonal(1 / (dt * dt), masses);

@@ -239,11 +239,8 @@ struct Rolled {
   double distance(const Vector2& p, const Vector3& place) const {
     const auto location = sheet.triangulation().locate(p, 1e-9);
     const Triangle& t = sheet.triangles()[location->triangle];
-    const auto& q = sheet.flatPositions();
-    const Vector3 weights(doubleArea(p, q[t[1]], q[t[2]]), doubleArea(q[t[0]], p, q[t[2]]),
-                          doubleArea(q[t[0]], q[t[1]], p));
     Vector3 now = Vector3::Zero();
-    for (int k = 0; k < 3; ++k) now += weights[k] / weights.sum() * space.col(t[k]);
+    for (int k = 0; k < 3; ++k) now += location->weights[k] * space.col(t[k]);
     return (now - place).norm();
   }
 };
