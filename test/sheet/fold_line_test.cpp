@@ -5,10 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
-#include <vector>
 
 namespace shell_origami {
 namespace {
@@ -201,75 +198,6 @@ TEST(FoldLine, ALongFoldLeavesNoSliver) {
   Sheet sheet = square(0.01);
   makeFoldLine(sheet, line(0.0531, 0, 0.0742, kSide));
   EXPECT_GT(smallestAngle(sheet), 15 * M_PI / 180);
-}
-
-/// A square that is rolled onto a cylinder, by 0.1 rad or less at an edge.
-struct Rolled {
-  static constexpr double kRadius = 0.1;  // [m]
-
-  Sheet sheet = square(0.01);
-  Positions space;
-
-  Rolled() : space(3, sheet.vertexCount()) {
-    for (int v = 0; v < sheet.vertexCount(); ++v) {
-      const Vector2& p = sheet.flatPositions()[v];
-      const double angle = p.x() / kRadius;
-      space.col(v) = kRadius * Vector3(std::sin(angle), p.y() / kRadius, 1 - std::cos(angle));
-    }
-  }
-  /// Folds lines that pass vertices at all distances. Returns how far from the paper the vertices
-  /// of before are after a fold, at most, in mean edges.
-  double foldAll(double most_moved) {
-    double farthest = 0;
-    for (int i = 0; i < 12; ++i) {
-      const Sheet old_sheet = sheet;
-      const Positions old_space = space;
-      EditContext context{&space, {}};
-      context.most_moved = most_moved;
-      const Segment fold = line(0, 0.011 + 0.0107 * i, kSide, 0.013 + 0.0103 * i);
-      space = makeFoldLine(sheet, fold, "", context).remap.apply(space, sheet.vertexCount());
-      for (int v = 0; v < old_sheet.vertexCount(); ++v) {
-        farthest = std::max(farthest, distance(old_sheet.flatPositions()[v], old_space.col(v)));
-      }
-    }
-    return farthest / sheet.meanEdge();
-  }
-
- private:
-  double distance(const Vector2& p, const Vector3& place) const {
-    const auto location = sheet.triangulation().locate(p, 1e-9);
-    const Triangle& t = sheet.triangles()[location->triangle];
-    Vector3 now = Vector3::Zero();
-    for (int k = 0; k < 3; ++k) now += location->weights[k] * space.col(t[k]);
-    return (now - place).norm();
-  }
-};
-
-/// A line that splits edges only makes two triangles of each that it crosses, and every one here
-/// crosses some 33 of 627.
-constexpr double kSplitsAlone = 1 + 12 * 2 * 33 / 627.0;
-
-TEST(FoldLine, BentPaperKeepsItsShapeAndGrowsNoMoreThanBySplits) {
-  Rolled rolled;
-  const auto before = static_cast<double>(rolled.sheet.triangles().size());
-  const double moved = rolled.foldAll(kMostMoved);
-  rolled.sheet.validate();
-  EXPECT_LT(static_cast<double>(rolled.sheet.triangles().size()) / before, kSplitsAlone);
-  // Vertices are shifted and edges beside them flipped, several times.
-  EXPECT_LT(moved, 5 * kMostMoved);
-  EXPECT_GT(moved, 0.1 * kMostMoved);
-}
-
-TEST(FoldLine, WhereNothingMayMoveEdgesAreSplitOnly) {
-  Rolled rolled;
-  const std::vector<Vector2> before = rolled.sheet.flatPositions();
-  EXPECT_LT(rolled.foldAll(0), 1e-12);
-  rolled.sheet.validate();
-  for (std::size_t v = 0; v < before.size(); ++v) {
-    EXPECT_EQ(rolled.sheet.flatPositions()[v], before[v]);
-  }
-  EXPECT_LT(static_cast<double>(rolled.sheet.triangles().size()),
-            kSplitsAlone * static_cast<double>(square(0.01).triangles().size()));
 }
 
 TEST(FoldLine, RefusesWhatMakesNoSenseAndLeavesTheSheet) {

@@ -7,9 +7,17 @@
 #include <utility>
 
 namespace shell_origami {
+namespace {
+
+/// The paper counts as flat across an edge bent less than this. A point of the paper then moves
+/// by at most a quarter of the edge times this when the edge is flipped.
+constexpr double kNearlyFlat = 0.02;  // [rad]
+
+}  // namespace
+
 MaterialMesh::MaterialMesh(const Triangulation& mesh, const Positions* positions,
-                           std::set<int> held, double most_moved)
-    : mesh_(mesh), held_(std::move(held)), most_moved_(most_moved) {
+                           std::set<int> held, bool exact)
+    : mesh_(mesh), held_(std::move(held)), exact_(exact) {
   if (positions) {
     for (Eigen::Index v = 0; v < positions->cols(); ++v) space_.push_back(positions->col(v));
   }
@@ -96,62 +104,31 @@ MaterialMesh::Freedom MaterialMesh::freedom(int v) const {
   return {Freedom::kSlides, {rails[0].first, rails[1].first}};
 }
 
-/// The angle between the edge's two triangles [rad]; 0 on the border.
-double MaterialMesh::bendAcross(Triangulation::Side side) const {
-  if (mesh_.neighbour(side) == Triangulation::kNone) return 0;
+bool MaterialMesh::nearlyFlatAcross(Triangulation::Side side) const {
+  if (space_.empty() || mesh_.neighbour(side) == Triangulation::kNone) return true;
+  if (exact_) return false;
   const auto normal = [this](int t) {
     const Triangle& c = mesh_.triangles()[t];
     return Vector3((space_[c[1]] - space_[c[0]]).cross(space_[c[2]] - space_[c[0]]));
   };
   const Vector3 n1 = normal(side.triangle), n2 = normal(mesh_.neighbour(side));
-  return std::atan2(n1.cross(n2).norm(), n1.dot(n2));
-}
-
-/// Whether an edit may move points of the paper so far near an edge of this length [m].
-bool MaterialMesh::keepsShape(double moved, double length) const {
-  return moved < most_moved_ * length;
+  return std::atan2(n1.cross(n2).norm(), n1.dot(n2)) < kNearlyFlat;
 }
 
 bool MaterialMesh::mayFlip(Triangulation::Side side) const {
-  if (!mesh_.canFlip(side)) return false;
-  if (space_.empty()) return true;
-  // Where the diagonals cross when flat, they pass each other in space.
-  const auto [a, b] = mesh_.ends(side);
-  const int c = mesh_.apex(side), d = mesh_.apex(mesh_.opposite(side));
-  const double by_c = doubleArea(point(a), point(b), point(c));
-  const double by_d = doubleArea(point(b), point(a), point(d));
-  const double by_a = doubleArea(point(c), point(d), point(a));
-  const double by_b = doubleArea(point(d), point(c), point(b));
-  const Vector3 before = (by_b * space_[a] + by_a * space_[b]) / (by_a + by_b);
-  const Vector3 after = (by_d * space_[c] + by_c * space_[d]) / (by_c + by_d);
-  return keepsShape((after - before).norm(), (point(b) - point(a)).norm());
+  return mesh_.canFlip(side) && nearlyFlatAcross(side);
 }
 
-bool MaterialMesh::isFlat(int triangle) const {
-  if (space_.empty()) return true;
-  for (int k = 0; k < 3; ++k) {
-    const Triangulation::Side side{triangle, k};
-    if (mesh_.label(side) != Triangulation::kNone) continue;
-    const auto [a, b] = mesh_.ends(side);
-    // A flip moves points by at most a quarter of the edge times the bend.
-    const double length = (point(b) - point(a)).norm();
-    if (!keepsShape(bendAcross(side) * length / 4, length)) return false;
-  }
-  return true;
-}
-
-bool MaterialMesh::mayShift(int v, const Vector2& p) const {
-  if (space_.empty()) return true;
-  const Freedom free = freedom(v);
-  const double distance = (p - point(v)).norm();
+bool MaterialMesh::nearlyFlatAround(int v) const {
+  const MaterialMesh::Freedom free = freedom(v);
   const std::vector<int> fan = mesh_.around(v);
   return std::all_of(fan.begin(), fan.end(), [&](int t) {
     const int k = mesh_.cornerOf(t, v);
+    const Triangulation::Side side{t, (k + 2) % 3};
     // Along its own crease a vertex may slide however far that is bent.
     const int far = mesh_.triangles()[t][(k + 1) % 3];
     if (free.kind == Freedom::kSlides && (far == free.rail[0] || far == free.rail[1])) return true;
-    const Triangulation::Side side{t, (k + 2) % 3};
-    return keepsShape(distance * bendAcross(side), (point(far) - point(v)).norm());
+    return nearlyFlatAcross(side);
   });
 }
 

@@ -19,10 +19,10 @@ class MaterialMesh {
     std::array<int, 2> rail{-1, -1};  ///< the neighbours between which it slides
   };
 
-  /// `positions` in space, or null for a flat sheet; `held` vertices are never shifted. Points of
-  /// bent paper may be moved by `most_moved` of the edges there, a part; 0: edges are split only.
+  /// `positions` in space, or null for a flat sheet; `held` vertices are never shifted. `exact`:
+  /// nothing counts as nearly flat, so that edges are split only.
   MaterialMesh(const Triangulation& mesh, const Positions* positions, std::set<int> held,
-               double most_moved);
+               bool exact = false);
 
   const Triangulation& flat() const { return mesh_; }
   const Vector2& point(int v) const { return mesh_.points()[v]; }
@@ -39,24 +39,21 @@ class MaterialMesh {
   void shift(int v, const Vector2& p);
 
   Freedom freedom(int v) const;
-  /// Whether the edge may be flipped: unlabelled, convex, and the paper keeps its shape.
+  /// Whether the edge may be flipped: unlabelled, convex, and the paper nearly flat across it.
   bool mayFlip(Triangulation::Side side) const;
-  /// Whether the paper keeps its shape where v is shifted to p.
-  bool mayShift(int v, const Vector2& p) const;
-  /// Whether any unlabelled edge of the triangle could be flipped, were it convex.
-  bool isFlat(int triangle) const;
+  /// Whether the paper is nearly flat around v, so that shifting v keeps its shape.
+  bool nearlyFlatAround(int v) const;
   /// Smallest angle [rad] of the triangles around v, with v at p; negative if one turns over.
   double smallestAngle(int v, const Vector2& p) const;
 
  private:
-  double bendAcross(Triangulation::Side side) const;
-  bool keepsShape(double moved, double length) const;
+  bool nearlyFlatAcross(Triangulation::Side side) const;
   void touch(int v);
 
   Triangulation mesh_;
   std::vector<Vector3> space_;  ///< empty while the sheet is flat
   std::set<int> held_;
-  double most_moved_;
+  bool exact_;
   std::vector<int> touched_;
   double size_ = 0;
 };

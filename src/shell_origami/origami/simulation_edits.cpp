@@ -95,24 +95,21 @@ void Simulation::foldLine(const Segment& line, const FoldEdit& edit, EditRecord&
   record.parts = line_made.parts;
 }
 
-/// Makes the line in the sheet. Where the repair of slivers would push paper through paper, it
-/// moves points less far, and in the end none.
+/// Makes the line in the sheet. Where the repair of slivers would push paper through paper, edges
+/// are split only.
 FoldLine Simulation::insertLine(const Segment& line, const std::string& name) {
   EditContext context{&motion_.positions, pinned()};
   const bool separate = contactOn() && left_out_.empty();
   if (separate || obstacle_contact_) {
-    for (const double part : {1.0, 0.1, 0.01}) {
-      context.most_moved = part * kMostMoved;
-      Sheet trial = sheet_;
-      FoldLine made = makeFoldLine(trial, line, name, context);
-      const Positions moved = made.remap.apply(motion_.positions, trial.vertexCount());
-      const bool apart = !separate || shell_origami::crossings(trial, moved).empty();
-      if (apart && cutObstacle(trial, moved).empty()) {
-        sheet_ = std::move(trial);
-        return made;
-      }
+    Sheet trial = sheet_;
+    FoldLine made = makeFoldLine(trial, line, name, context);
+    const Positions moved = made.remap.apply(motion_.positions, trial.vertexCount());
+    const bool apart = !separate || shell_origami::crossings(trial, moved).empty();
+    if (apart && cutObstacle(trial, moved).empty()) {
+      sheet_ = std::move(trial);
+      return made;
     }
-    context.most_moved = 0;
+    context.exact = true;
   }
   return makeFoldLine(sheet_, line, name, context);
 }

@@ -10,18 +10,17 @@
 
 namespace shell_origami {
 
-constexpr double kMostMoved = 0.005;
-
 /// Properties of the folded paper that an edit must respect.
 struct EditContext {
-  /// Positions of the vertices in space; null: flat.
+  /// Positions of the vertices in space; null: flat. Edges across which the paper is bent are not
+  /// flipped and vertices on a bend are not shifted, so that the paper keeps its shape.
   const Positions* positions = nullptr;
   /// Vertices that must not be shifted.
   std::set<int> held;
-  /// Bent paper keeps its shape: edges are flipped and vertices shifted only where that moves its
-  /// points by less than this part of the edges there. 0: edges are split only, even if slivers
-  /// stay.
-  double most_moved = kMostMoved;
+  /// Whether the paper keeps its shape exactly: edges are split only, even if slivers stay. Paper
+  /// is never quite flat, and where it touches paper a shifted vertex may come out on the other
+  /// side.
+  bool exact = false;
 };
 
 /// The result of makeFoldLine().

@@ -40,7 +40,7 @@ Vector2 intersection(const Vector2& a, const Vector2& b, const Segment& line) {
 }  // namespace
 
 SheetEditor::SheetEditor(const Sheet& sheet, const EditContext& context)
-    : mesh_(sheet.triangulation(), context.positions, context.held, context.most_moved),
+    : mesh_(sheet.triangulation(), context.positions, context.held, context.exact),
       merged_(std::max(mesh_.snap(), kMergedFeature * sheet.meanEdge())),
       shortest_(kShortestEdge * sheet.meanEdge()),
       creases_(sheet.creases()) {}
@@ -48,7 +48,7 @@ SheetEditor::SheetEditor(const Sheet& sheet, const EditContext& context)
 bool SheetEditor::shiftTo(int v, const Vector2& p) {
   if (std::count(protected_.begin(), protected_.end(), v)) return false;
   const MaterialMesh::Freedom freedom = mesh_.freedom(v);
-  if (freedom.kind == MaterialMesh::Freedom::kFixed || !mesh_.mayShift(v, p)) return false;
+  if (freedom.kind == MaterialMesh::Freedom::kFixed || !mesh_.nearlyFlatAround(v)) return false;
   if (freedom.kind == MaterialMesh::Freedom::kSlides &&
       distanceToSegment(p, mesh_.point(freedom.rail[0]), mesh_.point(freedom.rail[1])) >
           1e-12 * mesh_.size()) {
