@@ -12,7 +12,7 @@ namespace shell_origami {
 namespace {
 
 TEST(LogBarrier, HasTheDerivativesOfItsDefinition) {
-  for (double s = 1e-6; s < 1; s *= 1.1) {
+  for (double s = 1e-5; s < 1; s *= 1.1) {
     const Dual<1> x = Dual<1>::variable(s, 0), open = x - Dual<1>(1);
     const Dual<1> expected = -(open * open * x.chain(std::log(s), 1 / s, -1 / (s * s)));
     const shell_origami::Derivatives barrier = logBarrier(s);
@@ -44,15 +44,17 @@ TEST(LogBarrier, EndsSmoothly) {
   }
 }
 
-TEST(LogBarrier, GrowsWithoutBound) {
-  double before = 0;
-  for (double s = 0.9; s > 1e-300; s /= 10) {
-    const double value = logBarrier(s).value;
-    EXPECT_GT(value, before);
-    before = value;
+TEST(LogBarrier, PushesAwayWhatLiesCloserThanItMayCome) {
+  // From 1e-5 on a parabola with the same value and derivatives there.
+  const shell_origami::Derivatives edge = logBarrier(1e-5);
+  for (const double s : {0.99e-5, 1e-300, 0.0, -1e-3, -1.0}) {
+    const double below = s - 1e-5;
+    const shell_origami::Derivatives barrier = logBarrier(s);
+    EXPECT_DOUBLE_EQ(barrier.value, edge.value + below * (edge.first + below * edge.second / 2));
+    EXPECT_DOUBLE_EQ(barrier.first, edge.first + below * edge.second);
+    EXPECT_EQ(barrier.second, edge.second);
+    EXPECT_LT(barrier.first, edge.first);
   }
-  EXPECT_NEAR(before, -std::log(1e-300), 3);
-  EXPECT_TRUE(std::isfinite(before));
 }
 
 /// The mollifier's definition.

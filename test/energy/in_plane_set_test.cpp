@@ -45,6 +45,19 @@ TEST(InPlaneSet, WhatIsBeyondYieldBecomesSet) {
   }
 }
 
+TEST(InPlaneSet, WhatIsNoLongerNeededGoesAgain) {
+  Stretched paper;
+  const double yield = 0.004, half = (1.005 * 1.005 - 1) / 2;
+  paper.set.flow(yield, paper.sheet, paper.x, paper.shell, paper.state);
+  paper.x.row(0) *= 1.005 / 1.01;
+  paper.set.flow(yield, paper.sheet, paper.x, paper.shell, paper.state);
+  for (const GreenStrain& strain : paper.set.strains()) EXPECT_NEAR(strain[0], half - yield, 1e-13);
+  paper.x.row(0) /= 1.005;
+  paper.set.flow(yield, paper.sheet, paper.x, paper.shell, paper.state);
+  for (const GreenStrain& strain : paper.set.strains()) EXPECT_EQ(strain.norm(), 0);
+  EXPECT_LT(paper.shell.membraneEnergy(paper.x, paper.state), 1e-25) << "flat and at rest";
+}
+
 TEST(InPlaneSet, FlowKeepsTheForcesOfWhatSoftPaperBears) {
   // Paper a hundred times softer at 1 % bears as much as true paper at 0.01 %. Where it is set so
   // that true paper would yield there, it holds the same shape with the same forces.

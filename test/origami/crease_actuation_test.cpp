@@ -1,6 +1,8 @@
+#include <shell_origami/mesh/triangulate.h>
 #include <shell_origami/origami/crease_actuation.h>
 #include <shell_origami/origami/recipe.h>
 #include <shell_origami/origami/snapshot.h>
+#include <shell_origami/sheet/fold_line.h>
 
 #include <gtest/gtest.h>
 
@@ -35,6 +37,37 @@ TEST(CreaseActuation, rampsThatStartTogetherFollowTheOneThatGoesFarthest) {
   EXPECT_EQ(ramps[3].lead_target, 0.1);
   EXPECT_EQ(ramps[4].lead_target, 3);  // of another duration
   EXPECT_EQ(ramps[5].lead_target, 0);  // started earlier: left as it was
+}
+
+TEST(CreaseActuation, aFoldOfAnotherStiffnessStartsWithTheMomentThatThereIs) {
+  Sheet sheet(triangulateRectangle(0.1, 0.1, 0.02));
+  makeFoldLine(sheet, {Vector2(0.05, 0), Vector2(0.05, 0.1)}, "", {});
+  const Shell shell(sheet, {});
+  const double angle = 0.5, rest = 0.8;
+  Positions x = Positions::Zero(3, sheet.vertexCount());
+  for (int v = 0; v < sheet.vertexCount(); ++v) {
+    const Vector2& p = sheet.flatPositions()[v];
+    const double beyond = std::max(0.0, p.x() - 0.05);
+    x.col(v) = Vector3(p.x() - beyond * (1 - std::cos(angle)), p.y(), beyond * std::sin(angle));
+  }
+  ASSERT_NEAR(meanAngle(0, shell, x), angle, 1e-12);
+  const double soft = 0.01;
+  for (const double stiffness : {soft, 3 * soft, soft / 3}) {
+    CreaseActuation creases({rest}, soft, shell, x);
+    RestState before = shell.restState(), after = before;
+    creases.apply(1, 1, shell, before);
+    creases.start(0, 1.5, 1, 1, stiffness, false, shell, x);
+    creases.synchronize(1);
+    creases.apply(1, 1, shell, after);
+    for (int j : shell.creaseHinges()[0]) {
+      EXPECT_NEAR(shell.moment(j, angle, after), shell.moment(j, angle, before), 1e-12 * soft)
+          << stiffness;
+    }
+  }
+  // A rest angle beyond the largest there is would be needed: the moment is smaller.
+  CreaseActuation creases({rest}, soft, shell, x);
+  creases.start(0, 1.5, 1, 1, soft / 100, false, shell, x);
+  EXPECT_EQ(creases.ramps()[0].from, kLargestRestAngle);
 }
 
 TEST(CreaseActuation, aHundredThousandRampsStartTogetherAtOnce) {

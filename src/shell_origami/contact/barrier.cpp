@@ -6,8 +6,21 @@
 
 namespace shell_origami {
 
+namespace {
+
+/// The least argument that a motion leads to. A sheet that was loaded may lie closer.
+constexpr double kSteepest = 1e-5;
+
+}  // namespace
+
 Derivatives logBarrier(double s) {
   if (s >= 1) return {};
+  if (s < kSteepest) {
+    const Derivatives at = logBarrier(kSteepest);
+    const double below = s - kSteepest;
+    return {at.value + below * at.first + below * below / 2 * at.second,
+            at.first + below * at.second, at.second};
+  }
   const double log = std::log(s), open = s - 1;
   return {-open * open * log, -2 * open * log - open * open / s,
           -2 * log - 4 * open / s + open * open / (s * s)};

@@ -12,8 +12,8 @@ struct Derivatives {
 };
 
 /// Returns -(s - 1)^2 ln s and its derivatives: 0 from s = 1 on, twice continuously differentiable
-/// there, and infinite towards s = 0 (Li et al., Incremental Potential Contact, 2020, equation 6).
-/// \pre s > 0
+/// there (Li et al., Incremental Potential Contact, 2020, equation 6). Where s is as good as 0 or
+/// less it goes on as a parabola: what lies there already is pushed away.
 Derivatives logBarrier(double s);
 
 /// The factor by which the energy of an edge-edge pair is weakened as the edges become parallel,

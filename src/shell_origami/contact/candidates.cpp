@@ -1,5 +1,7 @@
 #include <shell_origami/contact/candidates.h>
 
+#include <shell_origami/contact/ccd.h>
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -95,7 +97,7 @@ void Candidates::add(const CollisionMesh& mesh, PairKind kind, const std::array<
   const double reach = kReachPerDistance * mesh.flatDistance(kind, vertices);
   // The sides of a slit coincide.
   if (reach == 0) return;
-  pairs.push_back({kind, vertices, std::min(reach, reach_), faces});
+  pairs.push_back({kind, vertices, std::min(std::max(reach, 2 * kClosestGap), reach_), faces});
 }
 
 /// There is one part of the way from which each coordinate differs by the margin at most.

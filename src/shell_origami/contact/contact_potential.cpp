@@ -1,6 +1,7 @@
 #include <shell_origami/contact/contact_potential.h>
 
 #include <shell_origami/base/parallel.h>
+#include <shell_origami/contact/ccd.h>
 #include <shell_origami/contact/contact_iterate.h>
 #include <shell_origami/contact/guard.h>
 #include <shell_origami/contact/start_filter.h>
@@ -35,6 +36,10 @@ class Hash {
   }
   std::uint64_t value = 0xcbf29ce484222325;
 };
+
+/// How far a pair that is pushed from its reach on can still come closer [m]. The barrier ends
+/// where the guard does: steps would else be stopped by a guard at which nothing pushes back.
+double room(const ContactPair& pair) { return pair.reach - kClosestGap; }
 
 Eigen::Matrix<double, 12, 1> distanceGradient(const ClosestPoints& closest) {
   const Vector3 direction = closest.direction();
@@ -115,7 +120,7 @@ void ContactPotential::measure(ContactIterate& at) const {
 void ContactPotential::addContact(const ContactPair& pair, const ClosestPoints& closest,
                                   const Positions& x, std::vector<Contact>& contacts) const {
   if (closest.distance >= kNear * pair.reach) return;
-  Contact contact{pair, closest, logBarrier(closest.distance / pair.reach), {}};
+  Contact contact{pair, closest, logBarrier((closest.distance - kClosestGap) / room(pair)), {}};
   if (pair.kind == PairKind::kEdgeEdge) {
     contact.mollifier =
         mollifier(pointsOf(pair, x), kParallel * mesh_.squaredProduct(pair.vertices));
@@ -213,15 +218,16 @@ double ContactPotential::stiffnessOf(const ContactPair& pair) const {
   return stiffness_ * distance_ / pair.reach;
 }
 
-/// W = k r^2 m b(d / r) for the stiffness k, the reach r, the mollifier m and the barrier b.
+/// W = k r^2 m b((d - g) / r) for the stiffness k, the closest gap g that the guard permits, the
+/// reach r above it, the mollifier m and the barrier b.
 double ContactPotential::energyOf(const Contact& contact) const {
-  const double reach = contact.pair.reach;
+  const double reach = room(contact.pair);
   return stiffnessOf(contact.pair) * reach * reach * contact.mollifier.value *
          contact.barrier.value;
 }
 
 double ContactPotential::forceOf(const Contact& contact) const {
-  return stiffnessOf(contact.pair) * contact.pair.reach * contact.mollifier.value *
+  return stiffnessOf(contact.pair) * room(contact.pair) * contact.mollifier.value *
          contact.barrier.first;
 }
 
@@ -232,7 +238,7 @@ void ContactPotential::addGradient(const Positions& x, Iterate& at, Positions& g
   }
   for (const Contact& contact : of(at).contacts) {
     if (contact.barrier.value == 0) continue;
-    const double reach = contact.pair.reach;
+    const double reach = room(contact.pair);
     const double force = forceOf(contact);
     const Vector3 direction = contact.closest.direction();
     for (int k = 0; k < 4; ++k) {
@@ -268,7 +274,7 @@ void ContactPotential::addHessianPart(const Positions& x, const ContactIterate& 
         distanceHessian(pointsOf(contact.pair, x), contact.pair.kind, contact.closest);
     blocks.add(stencil, Eigen::Matrix<double, 12, 12>(
                             stiffness * (contact.barrier.second * gradient * gradient.transpose() +
-                                         contact.pair.reach * contact.barrier.first * curvature)));
+                                         room(contact.pair) * contact.barrier.first * curvature)));
   }
   for (const Impact& impact : at.impacts) {
     if (!blocks.reach(++stencil)) continue;

@@ -29,7 +29,7 @@ struct ContactParameters {
 struct Contact {
   ContactPair pair;
   ClosestPoints closest;
-  Derivatives barrier;  ///< of the distance over the reach
+  Derivatives barrier;  ///< of the distance over the reach, both above kClosestGap
   Mollifier mollifier;
 };
 

@@ -47,10 +47,12 @@ void InPlaneSet::flow(double yield, const Sheet& sheet, const Positions& positio
                       const Shell& shell, RestState& rest) {
   for (std::size_t i = 0; i < strains_.size(); ++i) {
     const int triangle = static_cast<int>(i);
-    const GreenStrain elastic = strainOf(sheet, triangle, positions) - strains_[i];
-    const double stress = rest.membrane[i] * norm(elastic);
-    if (stress <= yield) continue;
-    strains_[i] += (1 - yield / stress) * elastic;
+    const GreenStrain total = strainOf(sheet, triangle, positions);
+    const double stress = rest.membrane[i] * norm(total);
+    const GreenStrain excess =
+        stress > yield ? GreenStrain((1 - yield / stress) * total) : GreenStrain::Zero();
+    if (excess == strains_[i]) continue;
+    strains_[i] = excess;
     shell.setRestStrain(triangle, strains_[i], rest);
   }
 }

@@ -1,5 +1,5 @@
 /// \file
-/// How far paper was stretched and sheared for good.
+/// How far paper stays stretched and sheared.
 #pragma once
 
 #include <shell_origami/energy/shell.h>
@@ -24,9 +24,10 @@ class InPlaneSet {
   void apply(const Shell& shell, RestState& rest) const;
   /// Carries it over an edit: a part of a triangle keeps that triangle's.
   void follow(const Remap& remap);
-  /// Return map: where the stress of a triangle is beyond that of the paper at the elastic strain
-  /// `yield` (the Frobenius norm of the Green strain's matrix), the excess becomes set, and `rest`
-  /// gets the new strains.
+  /// Makes set of the part of each triangle's strain that would need more stress than the paper has
+  /// at the elastic strain `yield` (the Frobenius norm of the Green strain's matrix), and gives
+  /// `rest` the new strains. Called step by step it makes paper that pulls back with that stress at
+  /// most, however far it is stretched, so that a set which is no longer needed goes again.
   void flow(double yield, const Sheet& sheet, const Positions& positions, const Shell& shell,
             RestState& rest);
 

@@ -27,6 +27,7 @@ class MaterialMesh {
   const Triangulation& flat() const { return mesh_; }
   const Vector2& point(int v) const { return mesh_.points()[v]; }
   double size() const { return size_; }
+  bool exact() const { return exact_; }
   /// Points closer than this are one [m].
   double snap() const { return 1e-7 * size_; }
   /// Vertices around which triangles changed so far.

@@ -184,6 +184,8 @@ void flipAndSmooth(MaterialMesh& mesh) {
 }  // namespace
 
 void improve(MaterialMesh& mesh) {
+  // Without flips and shifts, splitting slivers makes more slivers.
+  if (mesh.exact()) return;
   flipAndSmooth(mesh);
   refineAround(mesh, sortedUnique(mesh.touched()));
   flipAndSmooth(mesh);

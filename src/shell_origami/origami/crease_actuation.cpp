@@ -53,7 +53,12 @@ void CreaseActuation::start(int crease, double target, double time, double durat
                             double stiffness, bool of_pattern, const Shell& shell,
                             const Positions& positions) {
   FoldRamp& ramp = ramps_[crease];
-  ramp.from = ramp.driven ? ramp.angleAt(time) : meanAngle(crease, shell, positions);
+  const double angle = meanAngle(crease, shell, positions);
+  ramp.from = ramp.driven ? ramp.angleAt(time) : angle;
+  if (ramp.driven && stiffness != ramp.stiffness) {
+    ramp.from = std::clamp(angle + ramp.stiffness / stiffness * (ramp.from - angle),
+                           -kLargestRestAngle, kLargestRestAngle);
+  }
   ramp.driven = true;
   ramp.set = 0;
   ramp.target = target;

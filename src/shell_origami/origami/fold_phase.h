@@ -11,7 +11,8 @@
 
 namespace shell_origami {
 
-/// Folds that run together. The next phase begins when the paper has settled, or had time to.
+/// Folds that run together. The next phase begins when they are done and the paper has settled, or
+/// had time to.
 struct FoldPhase {
   std::vector<FoldEdit> folds;
   double rest = 0;  ///< within which the paper may settle [s]

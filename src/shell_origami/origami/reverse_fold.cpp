@@ -15,13 +15,12 @@ namespace {
 
 /// Parts of the whole duration, and stiffness of creases as multiples of the material's, by phase:
 /// the body is loosened, the tip opened along its spine, its sides turned halfway, then all of it
-/// on, and the body tightened. All at once ends on the wrong side.
+/// on, and the body tightened. All at once ends on the wrong side. Between phases the paper does
+/// not rest, or it would harden in shapes that it does not keep.
 constexpr double kLoosen = 0.1, kOpen = 0.25, kHalfway = 0.2, kOn = 0.3, kTighten = 0.2;
 constexpr double kLoose = 1, kOpening = 5, kTurning = 10, kShutting = 15, kTightenBeside = 5;
 /// Part of the body's angles that is left when it is loosened.
 constexpr double kOpenBody = 0.75, kOpenFarther = 0.5;
-/// Within which the paper may settle after a phase, as a part of the whole duration.
-constexpr double kRest = 0.06;
 
 /// The fold along which the halves of a tip are joined.
 struct Spine {
@@ -65,16 +64,15 @@ class ReversePlanner {
     }
     plan.result = on;
     plan.result.insert(plan.result.end(), body.begin(), body.end());
-    plan.phases = {phase(loosened(body)), phase({fold(tip, 0, kOpen, kOpening)}),
-                   phase(std::move(halfway)), phase(std::move(on)), phase(std::move(body))};
+    plan.phases = {{loosened(body)},
+                   {{fold(tip, 0, kOpen, kOpening)}},
+                   {std::move(halfway)},
+                   {std::move(on)},
+                   {std::move(body)}};
     return plan;
   }
 
  private:
-  FoldPhase phase(std::vector<FoldEdit> folds) const {
-    return {std::move(folds), kRest * manner_.duration};
-  }
-
   FoldEdit fold(const Segment& line, double angle, double part, double stiffness) const {
     FoldEdit fold = lineFold(line, angle, part * manner_.duration);
     fold.stiffness = stiffness * simulation_.config().material.crease_stiffness;
