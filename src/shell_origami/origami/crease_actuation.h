@@ -30,8 +30,9 @@ class CreaseActuation {
   double stiffness() const { return stiffness_; }
   bool runningAt(double time) const;
 
-  /// Starts a fold with the moment that the crease has: from where it rests, or, where the stiffness
-  /// changes, from where it would rest with the new one; a free crease from the angle it has.
+  /// Starts a fold with the moment that the crease has: from where it rests, or, where the
+  /// stiffness changes, from where it would rest with the new one; a free crease from the angle it
+  /// has.
   void start(int crease, double target, double time, double duration, double stiffness,
              bool of_pattern, const Shell& shell, const Positions& positions);
   /// Makes the ramps that begin at this time run together.
