@@ -1,5 +1,5 @@
 /// \file
-/// What a person asks for with the mouse.
+/// The fold that a person has laid over the paper with the mouse.
 #pragma once
 
 #include <shell_origami/rviz/snapping.h>

@@ -105,7 +105,7 @@ void FileBox::save() {
   desk_.ask<msg::Save>("save", request);
 }
 
-/// What a person has changed meanwhile is newer.
+/// Takes over the node's parameters, unless a person has changed one since: that value is newer.
 void FileBox::hear(const dynamic_reconfigure::Config& config) {
   if (changes_ > 0) return;
   for (const auto& word : config.strs) {

@@ -1,5 +1,5 @@
 /// \file
-/// What the tool draws over the paper.
+/// The fold tool's drawing over the paper.
 #pragma once
 
 #include <shell_origami/rviz/plugin/ogre_conversions.h>

@@ -14,7 +14,7 @@ class QMenu;
 
 namespace shell_origami {
 
-/// What the menu's entries do, perhaps on a later sheet.
+/// The actions of the menu's entries. The sheet may be another one by the time they run.
 struct MenuActions {
   std::function<void(int vertex)> toggle_pin;
   std::function<void(const msg::Grasp::Request&)> grasp;

@@ -1,5 +1,5 @@
 /// \file
-/// What the mouse asks for, as requests to the node.
+/// Requests to the node, made of folds laid with the mouse.
 #pragma once
 
 #include <shell_origami/node/messages.h>
