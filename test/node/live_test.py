@@ -138,9 +138,10 @@ class LiveTest(NodeTest):
 
         def colors(name):
             self.assertEqual(self.live.update_configuration({'colouring': name})['colouring'], name)
-            self.origami.do('step', steps=1)
-            seen = len(markers.all())
-            drawn = markers.wait(lambda m: any(n.ns == 'front' for n in m.markers), since=max(0, seen - 1))
+            # What was on its way until now may have the colors of before.
+            stamp = self.after_steps(1).header.stamp
+            drawn = markers.wait(
+                lambda m: any(n.ns == 'front' and n.header.stamp >= stamp for n in m.markers))
             return {(c.r, c.g, c.b) for m in drawn.markers if m.ns == 'front' for c in m.colors}
         self.assertNotEqual(colors('curvature'), colors('paper'))
         self.assertEqual(self.live.update_configuration({'colouring': 'rainbow'})['colouring'], 'paper')

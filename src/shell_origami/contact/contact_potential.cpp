@@ -37,9 +37,15 @@ class Hash {
   std::uint64_t value = 0xcbf29ce484222325;
 };
 
-/// How far a pair that is pushed from its reach on can still come closer [m]. The barrier ends
-/// where the guard does: steps would else be stopped by a guard at which nothing pushes back.
-double room(const ContactPair& pair) { return pair.reach - kClosestGap; }
+/// The distance at which the barrier is infinite [m]: of paper and paper that which the guard
+/// keeps, or steps would be stopped by a guard at which nothing pushes back. Obstacles that press
+/// paper took six times as many iterations so.
+double barrierEnd(const CollisionMesh& mesh) { return mesh.hasBodies() ? 0 : kClosestGap; }
+
+/// How far a pair that is pushed from its reach on can still come closer [m].
+double room(const CollisionMesh& mesh, const ContactPair& pair) {
+  return pair.reach - barrierEnd(mesh);
+}
 
 Eigen::Matrix<double, 12, 1> distanceGradient(const ClosestPoints& closest) {
   const Vector3 direction = closest.direction();
@@ -120,7 +126,8 @@ void ContactPotential::measure(ContactIterate& at) const {
 void ContactPotential::addContact(const ContactPair& pair, const ClosestPoints& closest,
                                   const Positions& x, std::vector<Contact>& contacts) const {
   if (closest.distance >= kNear * pair.reach) return;
-  Contact contact{pair, closest, logBarrier((closest.distance - kClosestGap) / room(pair)), {}};
+  Contact contact{
+      pair, closest, logBarrier((closest.distance - barrierEnd(mesh_)) / room(mesh_, pair)), {}};
   if (pair.kind == PairKind::kEdgeEdge) {
     contact.mollifier =
         mollifier(pointsOf(pair, x), kParallel * mesh_.squaredProduct(pair.vertices));
@@ -218,16 +225,16 @@ double ContactPotential::stiffnessOf(const ContactPair& pair) const {
   return stiffness_ * distance_ / pair.reach;
 }
 
-/// W = k r^2 m b((d - g) / r) for the stiffness k, the closest gap g that the guard permits, the
-/// reach r above it, the mollifier m and the barrier b.
+/// W = k r^2 m b((d - g) / r) for the stiffness k, the distance g where the barrier ends, the reach
+/// r above it, the mollifier m and the barrier b.
 double ContactPotential::energyOf(const Contact& contact) const {
-  const double reach = room(contact.pair);
+  const double reach = room(mesh_, contact.pair);
   return stiffnessOf(contact.pair) * reach * reach * contact.mollifier.value *
          contact.barrier.value;
 }
 
 double ContactPotential::forceOf(const Contact& contact) const {
-  return stiffnessOf(contact.pair) * room(contact.pair) * contact.mollifier.value *
+  return stiffnessOf(contact.pair) * room(mesh_, contact.pair) * contact.mollifier.value *
          contact.barrier.first;
 }
 
@@ -238,7 +245,7 @@ void ContactPotential::addGradient(const Positions& x, Iterate& at, Positions& g
   }
   for (const Contact& contact : of(at).contacts) {
     if (contact.barrier.value == 0) continue;
-    const double reach = room(contact.pair);
+    const double reach = room(mesh_, contact.pair);
     const double force = forceOf(contact);
     const Vector3 direction = contact.closest.direction();
     for (int k = 0; k < 4; ++k) {
@@ -272,9 +279,10 @@ void ContactPotential::addHessianPart(const Positions& x, const ContactIterate& 
     }
     const Eigen::Matrix<double, 12, 12> curvature =
         distanceHessian(pointsOf(contact.pair, x), contact.pair.kind, contact.closest);
-    blocks.add(stencil, Eigen::Matrix<double, 12, 12>(
-                            stiffness * (contact.barrier.second * gradient * gradient.transpose() +
-                                         room(contact.pair) * contact.barrier.first * curvature)));
+    blocks.add(stencil,
+               Eigen::Matrix<double, 12, 12>(
+                   stiffness * (contact.barrier.second * gradient * gradient.transpose() +
+                                room(mesh_, contact.pair) * contact.barrier.first * curvature)));
   }
   for (const Impact& impact : at.impacts) {
     if (!blocks.reach(++stencil)) continue;
