@@ -44,6 +44,16 @@ TEST(LogBarrier, EndsSmoothly) {
   }
 }
 
+TEST(LogBarrier, GrowsAsWhatItKeepsApartComesCloser) {
+  double before = 0;
+  for (double s = 0.9; s > 1e-15; s /= 10) {
+    const double value = logBarrier(s).value;
+    EXPECT_GT(value, before);
+    before = value;
+  }
+  EXPECT_NEAR(before, -std::log(1e-5), 3);
+}
+
 TEST(LogBarrier, PushesAwayWhatLiesCloserThanItMayCome) {
   // From 1e-5 on a parabola with the same value and derivatives there.
   const shell_origami::Derivatives edge = logBarrier(1e-5);
@@ -53,6 +63,7 @@ TEST(LogBarrier, PushesAwayWhatLiesCloserThanItMayCome) {
     EXPECT_DOUBLE_EQ(barrier.value, edge.value + below * (edge.first + below * edge.second / 2));
     EXPECT_DOUBLE_EQ(barrier.first, edge.first + below * edge.second);
     EXPECT_EQ(barrier.second, edge.second);
+    EXPECT_GT(barrier.value, edge.value);
     EXPECT_LT(barrier.first, edge.first);
   }
 }

@@ -5,10 +5,10 @@
 #include <cmath>
 
 namespace shell_origami {
-
 namespace {
 
-/// The least argument that a motion leads to. A sheet that was loaded may lie closer.
+/// Below it the barrier is a parabola: paper that was loaded may lie closer than any motion brings
+/// it, at an argument of 0 or less.
 constexpr double kSteepest = 1e-5;
 
 }  // namespace

@@ -97,7 +97,8 @@ void Candidates::add(const CollisionMesh& mesh, PairKind kind, const std::array<
   const double reach = kReachPerDistance * mesh.flatDistance(kind, vertices);
   // The sides of a slit coincide.
   if (reach == 0) return;
-  pairs.push_back({kind, vertices, std::min(std::max(reach, 2 * kClosestGap), reach_), faces});
+  // A pair is pushed before the guard stops it.
+  pairs.push_back({kind, vertices, std::clamp(reach, 2 * kClosestGap, reach_), faces});
 }
 
 /// There is one part of the way from which each coordinate differs by the margin at most.

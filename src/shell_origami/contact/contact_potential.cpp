@@ -37,9 +37,9 @@ class Hash {
   std::uint64_t value = 0xcbf29ce484222325;
 };
 
-/// The distance at which the barrier is infinite [m]: of paper and paper that which the guard
-/// keeps, or steps would be stopped by a guard at which nothing pushes back. Obstacles that press
-/// paper took six times as many iterations so.
+/// The distance towards which the barrier grows without bound [m]: that which the guard keeps, or
+/// steps would be stopped by a guard at which nothing pushes back. With obstacles it is 0: paper
+/// that they press took six times as many iterations with the other.
 double barrierEnd(const CollisionMesh& mesh) { return mesh.hasBodies() ? 0 : kClosestGap; }
 
 /// How far a pair that is pushed from its reach on can still come closer [m].

@@ -53,9 +53,9 @@ void CreaseActuation::start(int crease, double target, double time, double durat
                             double stiffness, bool of_pattern, const Shell& shell,
                             const Positions& positions) {
   FoldRamp& ramp = ramps_[crease];
-  const double angle = meanAngle(crease, shell, positions);
-  ramp.from = ramp.driven ? ramp.angleAt(time) : angle;
+  ramp.from = ramp.driven ? ramp.angleAt(time) : meanAngle(crease, shell, positions);
   if (ramp.driven && stiffness != ramp.stiffness) {
+    const double angle = meanAngle(crease, shell, positions);
     ramp.from = std::clamp(angle + ramp.stiffness / stiffness * (ramp.from - angle),
                            -kLargestRestAngle, kLargestRestAngle);
   }

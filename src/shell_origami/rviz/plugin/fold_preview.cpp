@@ -33,7 +33,8 @@ void FoldPreview::clear() {
   refused_ = false;
 }
 
-/// What has changed since is asked when show() is called next.
+/// Asks the node about the fold as it is now. One request is under way at a time: a later change
+/// waits for the next call of show().
 void FoldPreview::ask() {
   if (requests_.underWay()) return;
   msg::FoldThrough::Request request = foldThroughRequest(*fold_, *seen_, "");

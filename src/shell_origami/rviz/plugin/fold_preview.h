@@ -1,5 +1,5 @@
 /// \file
-/// What the fold that is laid would do, as far as the node has said.
+/// A preview of the laid fold: the creases that it would make, by the node's answer.
 #pragma once
 
 #include <shell_origami/rviz/plugin/fold_drawing.h>

@@ -1,5 +1,5 @@
 /// \file
-/// What stands in rviz's status bar while paper is folded.
+/// The text in rviz's status bar while paper is folded.
 #pragma once
 
 #include <shell_origami/rviz/gesture.h>

@@ -46,7 +46,7 @@ class FoldTool : public rviz::Tool {
   void chooseReach();
 
  private:
-  /// What somebody sees of the paper.
+  /// The camera through which somebody looks at the paper.
   struct View {
     Camera camera;
     Vector3 eye;  ///< [m], as the camera in the paper's world frame

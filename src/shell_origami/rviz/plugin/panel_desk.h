@@ -1,5 +1,5 @@
 /// \file
-/// What the parts of the panel share.
+/// The panel's link to the node, shared by its parts.
 #pragma once
 
 #include <shell_origami/rviz/plugin/paper_link.h>
